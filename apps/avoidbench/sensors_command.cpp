@@ -1,8 +1,10 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <optional>
+#include <span>
 #include <sstream>
 
 #include "base/input_error.hpp"
@@ -73,42 +75,96 @@ void show(const SensorOptions& options) {
   std::cerr << "wrote " << options.png << '\n';
 }
 
+// Columns of cameras alone, and of lidars alone.
+constexpr std::array<std::string_view, 4> kOfCameras{"pixels", "bias_px", "sigma_px", "z2_bf_m"};
+constexpr std::array<std::string_view, 3> kOfLidars{"shots", "bias_m", "miss_pct"};
+
 /// Columns of errors, behind that of the value where one is swept.
 Table errors_table(const std::string& swept_field) {
   Table table = make_table("errors", "",
                            {{.name = "sensor", .place = Place::words},
                             {.name = "where", .place = Place::words},
                             {.name = "pixels"},
+                            {.name = "shots"},
                             {.name = "valid_pct", .decimals = 1},
                             {.name = "bias_px", .decimals = 3},
                             {.name = "sigma_px", .decimals = 3},
                             {.name = "outlier_pct", .decimals = 1},
+                            {.name = "bias_m", .decimals = 4},
                             {.name = "sigma_m", .decimals = 3},
-                            {.name = "z2_bf_m", .decimals = 3}});
+                            {.name = "z2_bf_m", .decimals = 3},
+                            {.name = "miss_pct", .decimals = 1}});
   if (!swept_field.empty()) table.columns.insert(table.columns.begin(), {.name = swept_field});
   return table;
 }
 
+/// Asks for a row of each range of distances up to `range_m`: its name, from, to.
+template <class Add>
+void add_bins(double bin_m, double range_m, const Add& add) {
+  for (int i = 0; i * bin_m < range_m; ++i) {
+    const double from_m = i * bin_m;
+    const double to_m = std::min(from_m + bin_m, range_m);
+    add(number_text(from_m) + "-" + number_text(to_m) + " m", from_m, to_m);
+  }
+}
+
 /// Rows by distance, overall and near edges; `value` stands in front where one is swept.
-void add_rows(const SensorErrors& errors, double bin_m, const Row& value, Table& table) {
+void add_camera_rows(const SensorErrors& errors, double bin_m, const Row& value, Table& table) {
   const auto add = [&](const std::string& where, bool edges, double from_m, double to_m) {
     const DepthStatistics s = errors.statistics(edges, from_m, to_m);
     if (s.pixel_count == 0) return;
-    table.rows.push_back(make_row(
-        value, errors.sensor.name, where, s.pixel_count, 100.0 * s.valid_ratio, s.disparity_bias_px,
-        s.disparity_sigma_px, 100.0 * s.outlier_ratio, s.depth_sigma_m, s.expected_depth_sigma_m));
+    table.rows.push_back(make_row(value, errors.sensor.name, where, s.pixel_count, Cell{},
+                                  100.0 * s.valid_ratio, s.disparity_bias_px, s.disparity_sigma_px,
+                                  100.0 * s.outlier_ratio, Cell{}, s.depth_sigma_m,
+                                  s.expected_depth_sigma_m, Cell{}));
   };
   const auto pixels = [](double size_px) {
     return std::isnan(size_px) ? std::string("–") : fixed_digits(size_px, 1);
   };
   const double range_m = errors.sensor.max_range_m;
-  for (int i = 0; i * bin_m < range_m; ++i) {
-    const double from_m = i * bin_m;
-    const double to_m = std::min(from_m + bin_m, range_m);
-    add(number_text(from_m) + "-" + number_text(to_m) + " m", false, from_m, to_m);
-  }
+  add_bins(bin_m, range_m, [&](const std::string& where, double from_m, double to_m) {
+    add(where, false, from_m, to_m);
+  });
   add("all ~" + pixels(errors.error_size_px) + " px", false, 0.0, range_m);
   add("edges +" + pixels(errors.fattening_px) + " px", true, 0.0, range_m);
+}
+
+/// Rows of a lidar by distance, overall, and of shots at nothing that is in range.
+void add_lidar_rows(const std::string& name, const LidarErrors& errors, double bin_m,
+                    const Row& value, Table& table) {
+  const auto add = [&](const std::string& where, const LidarStatistics& s) {
+    if (s.shot_count == 0) return;
+    table.rows.push_back(make_row(value, name, where, Cell{}, s.shot_count, 100.0 * s.return_ratio,
+                                  Cell{}, Cell{}, 100.0 * s.outlier_ratio, s.bias_m, s.sigma_m,
+                                  Cell{}, 100.0 * s.miss_share));
+  };
+  const double least_m = errors.lidar.min_range_m, range_m = errors.lidar.max_range_m;
+  const double outlier_m = outlier_error_m(errors.lidar);
+  add_bins(bin_m, range_m, [&](const std::string& where, double from_m, double to_m) {
+    add(where, lidar_statistics(errors.shots, std::max(from_m, least_m), to_m, outlier_m));
+  });
+  add("all", lidar_statistics(errors.shots, least_m, range_m, outlier_m));
+  add("nothing in range", statistics_beside(errors.shots, least_m, range_m));
+}
+
+/// Rows of the sensor's cameras and of each of its lidars.
+void add_rows(const SensorErrors& errors, double bin_m, const Row& value, Table& table) {
+  add_camera_rows(errors, bin_m, value, table);
+  const bool is_lidar = errors.lidars.size() == 1 && rig_cameras(errors.sensor).empty();
+  for (std::size_t i = 0; i < errors.lidars.size(); ++i) {
+    const std::string name = errors.sensor.name + (is_lidar ? "" : " lidar " + std::to_string(i));
+    add_lidar_rows(name, errors.lidars[i], bin_m, value, table);
+  }
+}
+
+/// Takes these columns out where no row has a value in the first of them.
+void drop_unused(Table& table, std::span<const std::string_view> names) {
+  const std::size_t first = column_at(table, names.front());
+  const bool is_used = std::any_of(table.rows.begin(), table.rows.end(), [&](const Row& row) {
+    return !std::holds_alternative<std::monostate>(row[first].value);
+  });
+  if (is_used || table.rows.empty()) return;
+  for (const std::string_view name : names) drop_column(table, column_at(table, name));
 }
 
 /// "maps.texture_opacity=1,0.5,0" as its path and values; no values where nothing is swept.
@@ -147,6 +203,8 @@ void measure(const SensorOptions& options) {
                options.bin_m, value, table);
     }
   }
+  drop_unused(table, kOfLidars);
+  drop_unused(table, kOfCameras);
   write_table(table, options.output);
 }
 
@@ -223,11 +281,15 @@ void add_sensors_command(CLI::App& app) {
       *command, "measure",
       "Errors of sensors against the truth, by distance, along missions of a map", measure);
   measure_command.footer(
-      "Columns: valid_pct not NaN; bias_px, sigma_px mean and standard deviation of disparity "
-      "errors up to 1 px, outlier_pct those beyond;\nsigma_m that deviation in depth, z2_bf_m what "
-      "follows for it from sigma_px by Z^2/(baseline * focal length).\nRows: by distance away from "
-      "steps in depth; all ~N px: errors within N px are alike; edges +N px: near things look N px "
-      "wider.");
+      "Columns of cameras: valid_pct not NaN; bias_px, sigma_px mean and standard deviation of "
+      "disparity errors up to 1 px, outlier_pct those beyond;\nsigma_m that deviation in depth, "
+      "z2_bf_m what follows for it from sigma_px by Z^2/(baseline * focal length).\nRows: by "
+      "distance away from steps in depth; all ~N px: errors within N px are alike; edges +N px: "
+      "near things look N px wider.\n"
+      "Columns of lidars: valid_pct of the shots come back; outlier_pct of those err by more than "
+      "5 range_sigma_m and 0.1 m;\nbias_m, sigma_m mean and standard deviation of the others' "
+      "errors; miss_pct of all misses are among these shots.\nRows: by distance to the first "
+      "surface along the reported direction; nothing in range: what comes back of these is false.");
   add_typed(measure_command, "sensors", measure_options.sensors, "NAME|FILE",
             "Built-in sensors' names, or files")
       ->required();

@@ -213,6 +213,29 @@ class Track:
     size_m: Vector
     """Of its box in its own frame, z up."""
 
+    def center_at(self, time_s: float) -> Vector:
+        """(3,), world, metres: its middle at this time of the trial, as if it had gone on with the scan's velocity."""
+        return self.center_world_m + (time_s - self.time_s) * self.velocity_world_mps
+
+    @property
+    def radius_m(self) -> float:
+        """Of the upright cylinder around its box, whatever its heading, which a track does not tell: half of the longer
+        side of what is round (person, ball, pole), half of the diagonal of the rest."""
+        half = 0.5 * self.size_m[:2]
+        return float(half.max() if self.kind in ("person", "ball", "pole") else np.hypot(*half))
+
+    def distance_m(self, places_world_m: ArrayLike, time_s: float) -> NDArray[np.float64]:
+        """(…,), metres: how far places (…, 3) in the world are from its surface at this time of the trial; negative
+        inside. The surface is a ball's, or else that of an upright cylinder of radius_m, so that the distance to the
+        thing itself is never less, as long as it keeps its velocity."""
+        away = np.asarray(places_world_m, dtype=np.float64) - self.center_at(time_s)
+        if self.kind == "ball":
+            return np.asarray(np.linalg.norm(away, axis=-1) - self.radius_m)
+        beside = np.linalg.norm(away[..., :2], axis=-1) - self.radius_m
+        above = np.abs(away[..., 2]) - 0.5 * self.size_m[2]
+        outside = np.hypot(np.maximum(beside, 0.0), np.maximum(above, 0.0))
+        return np.asarray(outside + np.minimum(np.maximum(beside, above), 0.0))
+
 
 @dataclass(frozen=True)
 class Observation(State):

@@ -9,7 +9,8 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 cmake --install "$build_folder" --prefix "$work/prefix" --component sdk >/dev/null
-for header in planner.h planner.hpp canvas.hpp goals.hpp known_world.hpp planner_eigen.hpp portable_math.hpp; do
+for header in planner.h planner.hpp canvas.hpp goals.hpp known_world.hpp planner_eigen.hpp portable_math.hpp tracks.hpp \
+    views.hpp; do
   [ -f "$work/prefix/include/avoidbench/$header" ] || { echo "$header is not installed"; exit 1; }
 done
 

@@ -4,6 +4,7 @@
 #include "config/sweep_fixture.hpp"
 #include "config/sweep_keys.hpp"
 #include "support/mutated.hpp"
+#include "support/sweeps_of_all_blocks.hpp"
 
 #include <algorithm>
 
@@ -420,27 +421,22 @@ TEST_F(SweepFiles, MapsAloneAreRead) {
 
 /// Bytes of a good sweep changed at random: a sweep or an InputError, nothing else.
 TEST_F(SweepFiles, MutatedSweepsNeverCrash) {
-  const std::string good =
-      "sweep: all\nseed: 24\ntrials: 3\nplanners:\n- {plugin: tunable, label: m, parameters: "
-      "{horizon_m: [5, 7]}}\n"
-      "maps:\n  generator: hall\n  area_m: [20, 25]\n  poisson_radius_m: {from: 2.3, to: 5.8, "
-      "count: 8}\n"
-      "  seeds: [3, 9]\nvehicle: {preset: firefly, mass_kg: 1.6}\nsensor: {fov_x_deg: 80}\n"
-      "rates: {plan_hz: 20}\naxes: {\"wind.mean_world_mps\": [[0, 0, 0], [4, 0, 0]]}\n";
   const std::string special = "{}[],:&*!|>'\"#?- \n.059eax";
-  RandomStream random = stream(2, "sweep mutations");
-  int accepted = 0, refused = 0;
-  for (int round = 0; round < 1500; ++round) {
-    try {
-      read(test::mutated(good, 4, special, random));
-      ++accepted;
-    } catch (const InputError& error) {
-      ++refused;
-      EXPECT_FALSE(error.problems().empty());
+  for (const std::string& text : test::sweeps_of_all_blocks()) {
+    RandomStream random = stream(2, "sweep mutations");
+    int accepted = 0, refused = 0;
+    for (int round = 0; round < 1500; ++round) {
+      try {
+        read(test::mutated(text, 4, special, random));
+        ++accepted;
+      } catch (const InputError& error) {
+        ++refused;
+        EXPECT_FALSE(error.problems().empty());
+      }
     }
+    EXPECT_GT(accepted, 5) << text;
+    EXPECT_GT(refused, 20) << text;
   }
-  EXPECT_GT(accepted, 5);
-  EXPECT_GT(refused, 20);
 }
 
 /// What is given and can't mean anything is a contradiction; what a preset or a changed mode leaves

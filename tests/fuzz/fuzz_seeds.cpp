@@ -1,6 +1,6 @@
 // fuzz_seeds FOLDER: writes the first inputs of the fuzz targets: FOLDER/point_cloud and
 // FOLDER/mesh, each kind of file as the tests write them; FOLDER/database, a small real one;
-// FOLDER/database_edits, an edit of each kind.
+// FOLDER/database_edits, an edit of each kind; FOLDER/sweep, sweeps with every block.
 #include <array>
 #include <cstdio>
 #include <filesystem>
@@ -9,6 +9,7 @@
 
 #include "fuzz/read_database.hpp"
 #include "support/map_files.hpp"
+#include "support/sweeps_of_all_blocks.hpp"
 #include "world/solids.hpp"
 
 namespace {
@@ -43,6 +44,12 @@ int main(int argc, char** argv) {
         write(meshes / name, static_cast<char>(kind) + bytes);
       }
     }
+  }
+  const fs::path sweeps = fs::path(argv[1]) / "sweep";
+  fs::create_directories(sweeps);
+  int count = 0;
+  for (const std::string& text : test::sweeps_of_all_blocks()) {
+    write(sweeps / ("sweep" + std::to_string(count++) + ".yaml"), text);
   }
   const fs::path databases = fs::path(argv[1]) / "database";
   const fs::path edits = fs::path(argv[1]) / "database_edits";

@@ -28,7 +28,8 @@ using namespace sample_rows;
 
 constexpr const char* kSweepSpec =
     R"({"trials":2,"planners":[{},{}],"axes":[{"path":"map_seed","values":[1,2]},)"
-    R"({"path":"map.poisson_radius_m","values":[2.5]}],"base":{"latency":{"mode":"fixed"}}})";
+    R"({"path":"map.poisson_radius_m","values":[2.5]},{"path":"movers.count","values":[0,7]},)"
+    R"({"path":"sensor","values":[{"name":"mid360_like"},{"name":"depth_ideal"}]}],"base":{"latency":{"mode":"fixed"}}})";
 
 template <class Action>
 void pass_over_input_errors(Action action) {
@@ -46,7 +47,8 @@ void report(const Database& db) {
       ReportQuery query;
       const SweepResult result =
           db.read_sweep(sweep.name, sweep.revision,
-                        {"planner", "reason", "map.poisson_radius_m", "sensor.width_px"});
+                        {"planner", "reason", "map.poisson_radius_m", "sensor.width_px",
+                         "movers.count", "tracks.range_m", "sensor.lidars"});
       const SweepSummary summary = summarize(result, query);
       const Section section = sweep_section(summary);
       for (const auto& [format, name] : EnumText<TableFormat>::entries) {
@@ -135,6 +137,38 @@ void resume(const std::filesystem::path& file) {
   db.mean_costs();
 }
 
+/// By its number a trial with movers and tracks, one with lidars, one with several goals; the last
+/// collides among movers.
+void add_what_moves(int place, TrialSpec& spec) {
+  if (place == 0 || place == 3) {
+    spec.movers.count = 7;
+    spec.movers.kind = MoverKind::mixed;
+    spec.movers.motion = MoverMotion::mixed;
+    spec.tracks.range_m = 12.0;
+    spec.tracks.false_count = 0.5;
+    spec.planner.needs = AB_INPUT_TRACKS;
+  }
+  if (place == 1) {
+    spec.sensor.lidars = lidar_presets();
+    spec.sensor.lidars.back().mounting.yaw_deg = 90.0;
+    spec.planner.needs = AB_INPUT_POINTS;
+  }
+  if (place == 2) {
+    spec.mission.waypoints = 2;
+    spec.mission.goal_motion.path = GoalPath::circle;
+    spec.planner.needs = AB_INPUT_GOALS;
+  }
+}
+
+/// Two missions, the second one of three goals.
+MapRow map_with_legs(int index) {
+  MapRow row = map_row(index, 2);
+  MissionRecord& mission = row.record.missions[1];
+  mission.mission.waypoints_world = {{0.1, 2.0, 3.0}, {4.0, 5.0, 6.0}};
+  mission.leg_lengths_m = {3.5, 4.25, 7.25};
+  return row;
+}
+
 }  // namespace
 
 std::filesystem::path scratch_folder() {
@@ -169,7 +203,7 @@ void write_sample_database(const std::filesystem::path& file) {
     db.add_run(run_row());
     db.add_sweep(sweep_row(kSweepSpec));
     for (const char* label : {"a", "b"}) db.add_planner(planner_row(label));
-    for (int map = 0; map < 2; ++map) db.add_map(map_row(map, 2), "forest");
+    for (int map = 0; map < 2; ++map) db.add_map(map_with_legs(map), "forest");
     for (const char* label : {"a", "b"}) {
       for (int place = 0; place < 4; ++place) {
         const bool collides = place == 3;
@@ -179,12 +213,13 @@ void write_sample_database(const std::filesystem::path& file) {
         spec.map = HallSpec{};  // pages show it, and it is soon made
         spec.mission_index = row.mission_index;
         spec.planner.label = label;
+        add_what_moves(place, spec);
         row.spec_json = trial_json(spec);
         row.record.samples.resize(4);
         db.add_trial(row);
         if (!collides) continue;
         db.add_explanation({.trial_key = row.key,
-                            .cause = "trap",
+                            .cause = label == std::string("a") ? "trap" : "moved_into",
                             .facts_json = R"({"braking_distance_m":1.5})",
                             .rules_version = 1,
                             .record_digest = key_of("flight")});

@@ -14,8 +14,9 @@ using testing::HasSubstr;
 
 TEST(Conformance, HonestPlannersPassEveryRule) {
   for (const std::filesystem::path& file :
-       {bad_planner("honest"), bad_planner("sees_all"), bad_planner("globals"),
-        bad_planner("long_trajectories"), std::filesystem::path(C_PLANNER)}) {
+       {bad_planner("honest"), bad_planner("sees_all"), bad_planner("sees_movers"),
+        bad_planner("globals"), bad_planner("long_trajectories"),
+        std::filesystem::path(C_PLANNER)}) {
     const auto results = check_conformance(file);
     EXPECT_GE(results.size(), 15U);
     for (const ConformanceResult& result : results) {
@@ -73,6 +74,14 @@ INSTANTIATE_TEST_SUITE_P(
         BadCase{"asked_differently", "being_asked_changes_nothing", "when it is asked"},
         BadCase{"newest_of_any", "tells_cameras_apart", "no longer depend on what the first"},
         BadCase{"forgets_goals", "flies_to_the_next_goal", "the same with the next goal to the"},
+        BadCase{"needs_sweeps", "survives_odd_sweeps",
+                "a sweep each third call, call 2: AB_ERROR: there is no sweep"},
+        BadCase{"needs_tracks", "survives_odd_tracks",
+                "no tracks, call 1: velocity_world_mps is not finite"},
+        BadCase{"writes_tracks", "flies_toward_a_wall", "it wrote into the tracks"},
+        BadCase{"writes_misses", "flies_toward_a_wall", "it wrote into a lidar's sweep"},
+        BadCase{"fears_moving_goals", "survives_odd_goals",
+                "a goal that moves, call 1: AB_ERROR: the goal has moved"},
         BadCase{"odd_map", "being_asked_changes_nothing", "no AB_PLACE_"},
         BadCase{"needs_debug", "drawing_changes_nothing", "has no extension avoidbench.debug/1"},
         BadCase{"extra_symbol", "exports_one_avoidbench_symbol", "avoidbench_secret"},
@@ -96,6 +105,12 @@ TEST(Conformance, OneBrokenRuleDoesNotTripTheOthers) {
               testing::ElementsAre("tells_cameras_apart"));
   EXPECT_THAT(failed_rules(check_conformance(bad_planner("forgets_goals"))),
               testing::ElementsAre("flies_to_the_next_goal"));
+  EXPECT_THAT(failed_rules(check_conformance(bad_planner("needs_sweeps"))),
+              testing::ElementsAre("survives_odd_sweeps"));
+  EXPECT_THAT(failed_rules(check_conformance(bad_planner("needs_tracks"))),
+              testing::ElementsAre("survives_odd_tracks"));
+  EXPECT_THAT(failed_rules(check_conformance(bad_planner("fears_moving_goals"))),
+              testing::ElementsAre("survives_odd_goals"));
   EXPECT_THAT(failed_rules(check_conformance(bad_planner("one_wide_camera"))), testing::IsEmpty());
 }
 

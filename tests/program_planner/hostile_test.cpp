@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "base/input_error.hpp"
+#include "noisy_inputs.hpp"
 #include "plugin/planner_library.hpp"
 #include "process/process_tree.hpp"
 #include "program_host.hpp"
@@ -53,6 +54,9 @@ constexpr Case kInPlan[] = {
     {"points_many", "the trajectory's points, 4294967295 of them, lie outside"},
     {"points_outside", "lie outside of the answer"},
     {"points_wrap", "lie outside of the answer"},
+    {"points_are_the_tracks", "the trajectory's points, 2 of them, lie outside of the answer"},
+    {"error_in_the_sweeps", "the error lies outside of the answer"},
+    {"scribble_sweeps", kFine},
     {"error_outside", "the error lies outside of the answer"},
     {"error_without_end", "the error has no end"},
     {"log_many", "too many lines of log"},
@@ -93,12 +97,13 @@ TEST_P(HostileProgram, IsAnErrorOfItsCallAndNothingIsLeft) {
   const ab_planner& table = *program_table(hostile_source(hostile.way));
   KeepingHost host;
   const ab_setup setup{};
-  const ab_mission mission{};
-  ab_state state{};
-  state.struct_size = sizeof state;
-  ab_observation seen{};
-  seen.struct_size = sizeof seen;
-  seen.state = &state;
+  double goals_world_m[] = {1.0, 2.0, 3.0, 4.0, 5.0, 6.0};
+  ab_mission mission{};
+  mission.struct_size = sizeof mission;
+  mission.goal_count = 2;
+  mission.goals_world_m = goals_world_m;
+  const Seen all(7, 1, 13, 7), unspoilt(7, 1, 13, 7);
+  const ab_observation& seen = all.all;
   void* instance = table.create(&host.table, &setup);
   ASSERT_NE(instance, nullptr) << host.error;
   const std::set<pid_t> with_program = own_children();
@@ -107,6 +112,7 @@ TEST_P(HostileProgram, IsAnErrorOfItsCallAndNothingIsLeft) {
     ab_command command{};
     command.struct_size = sizeof command;
     const ab_status status = table.plan(instance, &seen, &command);
+    EXPECT_TRUE(all.is_as(unspoilt)) << "it reached the host's own";
     if (std::string(hostile.error) == kFine) {
       EXPECT_EQ(status, AB_OK) << host.error;
       EXPECT_EQ(command.velocity_world_mps[0], 1.0);

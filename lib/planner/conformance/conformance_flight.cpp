@@ -7,6 +7,7 @@
 #include <exception>
 #include <iterator>
 #include <limits>
+#include <type_traits>
 
 #include "base/math.hpp"
 #include "plugin/command_check.hpp"
@@ -149,10 +150,11 @@ std::vector<float> fenced(const std::vector<float>& pixels) {
   return copy;
 }
 
-bool has_changed(const std::vector<ab_lidar_point>& now,
-                 const std::vector<ab_lidar_point>& before) {
-  return !now.empty() &&
-         std::memcmp(now.data(), before.data(), now.size() * sizeof(ab_lidar_point)) != 0;
+/// Whether an array that was lent has other bytes now.
+template <class Element>
+bool has_changed(const Element* now, const std::vector<Element>& before) {
+  static_assert(std::is_trivially_copyable_v<Element>);
+  return !before.empty() && std::memcmp(now, before.data(), before.size() * sizeof(Element)) != 0;
 }
 
 std::string change_in(const std::vector<float>& now, const std::vector<float>& pixels) {
@@ -227,6 +229,13 @@ ConformanceFlight wall_flight() {
     sweep_lidar(lidar, frame, [&](const Eigen::Vector3d& direction) {
       return wall_distance_m(lidar_world, direction);
     });
+    // Somebody who comes toward it, 5 m away.
+    frame.tracks.push_back({.id = 7,
+                            .kind = AB_TRACK_PERSON,
+                            .time_s = frame.time_s,
+                            .center_world = frame.position_world + Eigen::Vector3d(5.0, 0.0, 0.0),
+                            .velocity_world = {-1.0, 0.0, 0.0},
+                            .size_m = {0.3, 0.5, 1.75}});
     flight.frames.push_back(std::move(frame));
   }
   return flight;
@@ -373,24 +382,20 @@ PlannerView Probe::view_of(const Frame& frame) {
                                  .acceleration_world = Eigen::Vector3d::Zero(),
                                  .jerk_world = Eigen::Vector3d::Zero()};
   view.goal = frame.goal.value_or(GoalView{.index = 0, .place_world = mission_.goal_world});
-  // Somebody who comes toward it from 5 m away.
-  view.tracks.push_back({.id = 7,
-                         .kind = AB_TRACK_PERSON,
-                         .time_s = frame.time_s,
-                         .center_world = frame.position_world + Eigen::Vector3d(5.0, 0.0, 0.0),
-                         .velocity_world = {-1.0, 0.0, 0.0},
-                         .size_m = {0.3, 0.5, 1.75}});
+  view.tracks = frame.tracks;
   // Specific force at rest: what an accelerometer measures is up, against gravity.
   view.imu.push_back({frame.time_s, Eigen::Vector3d::Zero(), {0.0, 0.0, 9.81}});
   points_ = frame.points;
   misses_lidar_ = frame.misses_lidar;
-  for (std::size_t i = 0; i < setup_.lidars.size(); ++i) {
-    view.clouds.push_back({.time_s = frame.time_s,
-                           .T_world_lidar = Eigen::Translation3d(frame.position_world) *
-                                            setup_.lidars[i].T_body_lidar,
-                           .lidar = static_cast<std::uint32_t>(i),
-                           .points = points_,
-                           .misses_lidar = misses_lidar_});
+  for (int sweep = 0; sweep < frame.sweep_count; ++sweep) {
+    for (std::size_t i = 0; i < setup_.lidars.size(); ++i) {
+      view.clouds.push_back({.time_s = frame.time_s - sweep / setup_.lidars[i].rate_hz,
+                             .T_world_lidar = Eigen::Translation3d(frame.position_world) *
+                                              setup_.lidars[i].T_body_lidar,
+                             .lidar = static_cast<std::uint32_t>(i),
+                             .points = points_,
+                             .misses_lidar = misses_lidar_});
+    }
   }
   return view;
 }
@@ -401,6 +406,8 @@ Reply Probe::plan(const Frame& frame) {
   const ab_observation& observation = observation_.fill(view, setup_.cameras, table_->needs);
   const ab_observation before = observation;
   const ab_state state_before = *observation.state;
+  const std::vector<ab_track> tracks_before(observation.tracks,
+                                            observation.tracks + observation.track_count);
 
   Reply reply;
   reply.is_plan = true;
@@ -419,8 +426,12 @@ Reply Probe::plan(const Frame& frame) {
   for (std::size_t i = 0; i < pixels_.size() && reply.changed.empty(); ++i) {
     reply.changed = change_in(pixels_[i], frame.images[i]);
   }
-  if (reply.changed.empty() && has_changed(points_, frame.points)) {
+  if (reply.changed.empty() &&
+      (has_changed(points_.data(), frame.points) || misses_lidar_ != frame.misses_lidar)) {
     reply.changed = "it wrote into a lidar's sweep";
+  }
+  if (reply.changed.empty() && has_changed(observation.tracks, tracks_before)) {
+    reply.changed = "it wrote into the tracks";
   }
   // A count that can't be true is not followed: reply_problem() names it, reading would crash.
   const bool has_points = reply.status == AB_OK && reply.command.kind == AB_COMMAND_TRAJECTORY &&
@@ -437,6 +448,7 @@ Reply Probe::plan(const Frame& frame) {
     // A wall at 1 cm; the rubbish of the other buffers would be no depth (-5e-15).
     for (std::vector<float>& image : pixels_) std::fill(image.begin(), image.end(), 0.01F);
     std::fill(points_.begin(), points_.end(), ab_lidar_point{{0.01F, 0.0F, 0.0F}, 0.0F, 0.0F});
+    for (Eigen::Vector3f& miss : misses_lidar_) miss = {-1.0F, 0.0F, 0.0F};
   }
   return reply;
 }

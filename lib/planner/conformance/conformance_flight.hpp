@@ -16,9 +16,11 @@ struct Frame {
   Eigen::Vector3d velocity_world = Eigen::Vector3d::Zero();
   std::vector<std::vector<float>> images;
   std::vector<std::uint32_t> cameras = {};  ///< of the images, by index; empty: all of the first
-  /// A sweep of the lidar that ends now, where the setup has one.
+  /// A sweep of the lidar that ends now, where the setup has one, and how often it is given.
   std::vector<ab_lidar_point> points = {};
   std::vector<Eigen::Vector3f> misses_lidar = {};
+  int sweep_count = 1;
+  std::vector<TrackView> tracks = {};
   std::optional<GoalView> goal = {};  ///< nothing: the mission's first
 
   std::uint32_t camera_of(std::size_t image) const { return cameras.empty() ? 0 : cameras[image]; }
@@ -34,7 +36,7 @@ struct ConformanceFlight {
 PlannerSetup conformance_setup();
 
 /// Twenty frames along +x at 2 m height and 3 m/s over level ground toward a wall at x = 6 m with a
-/// gap of 2 m.
+/// gap of 2 m. Somebody comes toward it.
 ConformanceFlight wall_flight();
 
 /// wall_flight() in which every pixel of every image is `depth_m`, and every point so far off.

@@ -6,8 +6,10 @@
 #include <limits>
 #include <thread>
 
+#include "base/math.hpp"
 #include "conformance/conformance_flight.hpp"
 #include "conformance/goal_rule.hpp"
+#include "conformance/input_rules.hpp"
 #include "conformance/own_process.hpp"
 #include "conformance/rig_rule.hpp"
 #include "plugin/elf_symbols.hpp"
@@ -253,7 +255,26 @@ std::string survives_odd_goals(const PlannerLibrary& library) {
   // No horizontal direction leads there: planners that normalise one divide by zero.
   above.mission.goal_world = above.mission.start_world + Eigen::Vector3d(0.0, 0.0, 5.0);
   problem = flight_problem(library, above, false);
-  return problem.empty() ? "" : "goal straight above, " + problem;
+  if (!problem.empty()) return "goal straight above, " + problem;
+  if ((library.description().needs & AB_INPUT_GOALS) == 0) return "";
+  ConformanceFlight moving = wall_flight();
+  // To and fro through where the vehicle is.
+  for (Frame& frame : moving.frames) {
+    const double way_m = 2.0 * math::sin(5.0 * frame.time_s);
+    frame.goal = GoalView{.index = 0,
+                          .place_world = frame.position_world + Eigen::Vector3d(way_m, 0.0, 0.0)};
+  }
+  problem = flight_problem(library, moving, false);
+  if (!problem.empty()) return "a goal that moves, " + problem;
+  ConformanceFlight many = wall_flight();
+  // All in one place, and each call another's turn.
+  many.mission.goals_world.assign(many.frames.size(), many.mission.goal_world);
+  for (std::size_t i = 0; i < many.frames.size(); ++i) {
+    many.frames[i].goal =
+        GoalView{.index = static_cast<std::uint32_t>(i), .place_world = many.mission.goal_world};
+  }
+  problem = flight_problem(library, many, false);
+  return problem.empty() ? "" : "a goal each call, all in one place, " + problem;
 }
 
 std::string errors_have_a_text(const PlannerLibrary& library) {
@@ -313,7 +334,8 @@ constexpr ConformanceRule kRules[] = {
      "Two instances called from two threads give the same as alone; not with AB_USES_GLOBALS.",
      instances_may_run_at_once, true},
     {"keeps_no_input",
-     "What is passed into a call is not read after it: setup, mission, state and images.",
+     "What is passed into a call is not read after it: setup, mission, state, images, sweeps and "
+     "tracks.",
      keeps_no_input, true},
     {"drawing_changes_nothing",
      "Commands are the same, bit for bit, with a host that has no " AB_DEBUG_EXTENSION
@@ -328,8 +350,18 @@ constexpr ConformanceRule kRules[] = {
      "Images of NaN, +inf or zeros, none and several at once give commands or no plan, not errors.",
      survives_odd_images},
     {"survives_odd_goals",
-     "A goal at the start, at the vehicle or straight above gives commands or no plan, not errors.",
+     "A goal at the start, at the vehicle or straight above, and with AB_INPUT_GOALS one that "
+     "moves "
+     "and many in one place, give commands or no plan, not errors.",
      survives_odd_goals},
+    {"survives_odd_sweeps",
+     "Sweeps that come seldom, several at once, empty or at the lidar itself give commands or no "
+     "plan, not errors. (Asked of a planner that declares AB_INPUT_POINTS.)",
+     survives_odd_sweeps},
+    {"survives_odd_tracks",
+     "No tracks, a thousand, and one where the vehicle is, without size or of an unknown kind give "
+     "commands or no plan, not errors. (Asked of a planner that declares AB_INPUT_TRACKS.)",
+     survives_odd_tracks},
     {"tells_cameras_apart",
      "With a second camera that looks down, commands still depend on what the first one sees. (Not "
      "asked of a planner that declares AB_INPUT_ONE_CAMERA: no rig reaches it.)",

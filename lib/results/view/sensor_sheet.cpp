@@ -187,12 +187,7 @@ LidarSweep sweep_at_rest(const LidarSpec& spec, const Scene& scene, const Pose& 
                          std::uint64_t seed) {
   Lidar lidar(spec);
   lidar.begin_sweep(0, seed);
-  lidar.fire(scene, {.from = 0,
-                     .to = required_period(spec.rate_hz),
-                     .T_world_from = T_world_lidar,
-                     .T_world_to = T_world_lidar,
-                     .T_believed_from = T_world_lidar,
-                     .T_believed_to = T_world_lidar});
+  lidar.fire(scene, at_rest(spec, T_world_lidar));
   LidarSweep sweep;
   lidar.end_sweep(T_world_lidar, sweep);
   return sweep;

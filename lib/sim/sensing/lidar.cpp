@@ -230,6 +230,15 @@ void Lidar::Internals::keep(const Shot& shot, const Echo& echo, const PosesBetwe
   }
 }
 
+LidarMotion at_rest(const LidarSpec& lidar, const Pose& T_world_lidar) {
+  return {.from = 0,
+          .to = required_period(lidar.rate_hz),
+          .T_world_from = T_world_lidar,
+          .T_world_to = T_world_lidar,
+          .T_believed_from = T_world_lidar,
+          .T_believed_to = T_world_lidar};
+}
+
 Lidar::Lidar(const LidarSpec& spec) : internals_(std::make_unique<Internals>(spec)) {}
 Lidar::~Lidar() = default;
 Lidar::Lidar(Lidar&&) noexcept = default;

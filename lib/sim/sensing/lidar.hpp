@@ -32,6 +32,9 @@ struct LidarMotion {
   Pose T_believed_from, T_believed_to;
 };
 
+/// The motion of a lidar that rests for a whole sweep, and whose odometry is right.
+LidarMotion at_rest(const LidarSpec& lidar, const Pose& T_world_lidar);
+
 /// A lidar in the middle of its sweep. Not for two threads at once.
 class Lidar {
  public:

@@ -80,7 +80,7 @@ static uint64_t describe(void) {
   if (is("name_null")) put_offset(&planner.name, 0);
   if (is("name_outside")) put_offset(&planner.name, 16);
   if (is("name_long")) put_offset(&planner.name, add_long_text(4000000));
-  planner.needs = AB_INPUT_STATE;
+  planner.needs = AB_INPUT_STATE | AB_INPUT_POINTS | AB_INPUT_TRACKS | AB_INPUT_GOALS;
   planner.commands = AB_COMMAND_VELOCITY | AB_COMMAND_TRAJECTORY;
   if (is("parameters_many")) {
     planner.parameter_count = 999;
@@ -97,7 +97,20 @@ static uint64_t describe(void) {
   return add(&description, sizeof description);
 }
 
-static uint64_t command(void) {
+/* What the request shows, offsets in the pointers' places. */
+static ab_observation shown(const ab_process_request* request) {
+  ab_observation observation;
+  memcpy(&observation, memory + request->body, sizeof observation);
+  return observation;
+}
+
+static uint64_t offset_in(const void* pointer) {
+  uint64_t offset;
+  memcpy(&offset, &pointer, sizeof offset);
+  return offset;
+}
+
+static uint64_t command(const ab_process_request* request) {
   ab_command given;
   ab_point points[2];
   memset(&given, 0, sizeof given);
@@ -112,6 +125,9 @@ static uint64_t command(void) {
     put_offset(&given.points, is("points_outside") ? header.answer_offset + header.answer_bytes
                                                    : add(points, sizeof points));
     if (is("points_wrap")) put_offset(&given.points, UINT64_MAX - 100);
+    if (is("points_are_the_tracks")) {
+      put_offset(&given.points, offset_in(shown(request).tracks));
+    }
   }
   return is("command_outside") ? header.request_offset : add(&given, sizeof given);
 }
@@ -223,11 +239,17 @@ static void answer(const ab_process_request* request) {
   if (request->kind == AB_PROCESS_PLAN) {
     ++calls;
     if (calls == 1) misbehave();
-    given.body = command();
+    given.body = command(request);
     if (calls == 1 && is("status")) given.status = 99;
     if (calls == 1 && is("silent_error")) given.status = AB_ERROR;
     if (calls == 1 && is("body_null")) given.body = 0;
     if (calls == 1 && is("error_outside")) given.error = 1;
+    if (calls == 1 && is("error_in_the_sweeps")) given.error = offset_in(shown(request).clouds);
+    if (calls == 1 && is("scribble_sweeps")) {
+      /* All that the request shows: counts, points, misses, tracks and the goal. */
+      memset(memory + header.request_offset + sizeof *request, 0xff,
+             (size_t)request->bytes - sizeof *request);
+    }
     if (calls == 1 && is("error_without_end")) {
       given.error = add("xxxxxxxx", 8);
     }

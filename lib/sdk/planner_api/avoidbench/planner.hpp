@@ -27,7 +27,7 @@
  * Canvas draws and KnownWorld asks; a class without `parameters`. Where parameters name members,
  * settings_from() fills them in. An exception becomes AB_ERROR with its text; give_up("reason")
  * ends the trial. What ab_command.points refers to lives until the next call. CurrentGoal follows
- * missions of several goals.
+ * missions of several goals; tracks.hpp says where what moves will be.
  */
 #ifndef AVOIDBENCH_PLANNER_HPP
 #define AVOIDBENCH_PLANNER_HPP
@@ -50,6 +50,7 @@
 #include "avoidbench/goals.hpp"
 #include "avoidbench/known_world.hpp"
 #include "avoidbench/planner.h"
+#include "avoidbench/tracks.hpp"
 #include "avoidbench/views.hpp"
 
 #if defined(__GNUC__)

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "plugin/planner_library.hpp"
+
+namespace avoidbench {
+
+/// Why a planner that declares AB_INPUT_POINTS fails, or breaks the interface, with sweeps that
+/// come seldom, several at once, empty or strange; "" where it does not, or declares nothing of the
+/// kind.
+std::string survives_odd_sweeps(const PlannerLibrary& library);
+
+/// The same of one that declares AB_INPUT_TRACKS, with no tracks, many, and odd ones.
+std::string survives_odd_tracks(const PlannerLibrary& library);
+
+}  // namespace avoidbench
