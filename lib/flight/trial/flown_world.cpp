@@ -12,13 +12,13 @@ std::optional<World> world_with_movers(const TrialSpec& spec, const Scene& map,
   if (!has_movers(spec.movers)) return std::nullopt;
   // The leg that is flown at a known time: a mission that returns has no line from start to goal.
   const bool has_waypoints = !mission.waypoints_world.empty();
-  return with_movers(map, spec.movers,
-                     {.seed = noise_seed(spec, "movers"),
-                      .start_world = mission.start_world,
-                      .goal_world = has_waypoints ? mission.waypoints_world.front()
-                                                  : mission.goal_world,
-                      .speed_limit_mps = spec.vehicle.max_speed_mps,
-                      .time_limit_s = spec.mission.time_limit_s});
+  return with_movers(
+      map, spec.movers,
+      {.seed = noise_seed(spec, "movers"),
+       .start_world = mission.start_world,
+       .goal_world = has_waypoints ? mission.waypoints_world.front() : mission.goal_world,
+       .speed_limit_mps = spec.vehicle.max_speed_mps,
+       .time_limit_s = spec.mission.time_limit_s});
 }
 
 World flown_world(const TrialSpec& spec, const Mission& mission) {
