@@ -228,9 +228,10 @@ def hostile(runs):
     planners = ["{plugin: straight_line, label: good}"]
     for way, _, _ in HOSTILE:
         planners.append(f"{{plugin: process, label: {way}, parameters: {{command: [{runs.programs}/hostile, {way}]}}}}")
-    sweep = runs.sweep(
-        "hostile.yaml", planners, SMALL.replace("seeds: 2", "seeds: 1").replace("trials: 3", "trials: 2")
-    )
+    # It declares points, too.
+    head = SMALL.replace("seeds: 2", "seeds: 1").replace("trials: 3", "trials: 2")
+    head = head.replace("sensor: {", "sensor: {lidars: [mid360_like], ")
+    sweep = runs.sweep("hostile.yaml", planners, head)
     runs.run(sweep, "hostile.db", "--jobs", "2", "--plan-timeout", "2")
     db = sqlite3.connect(runs.folder / "hostile.db")
     found = {}
@@ -242,9 +243,7 @@ def hostile(runs):
         trials = found.get(way, [])
         is_so = len(trials) == 2 and all(one == outcome and reason in why for one, why in trials)
         runs.expect(f"hostile: {way} is {outcome}", is_so, trials)
-    alone = runs.sweep(
-        "alone.yaml", planners[:1], SMALL.replace("seeds: 2", "seeds: 1").replace("trials: 3", "trials: 2")
-    )
+    alone = runs.sweep("alone.yaml", planners[:1], head)
     runs.run(alone, "alone.db")
     runs.expect(
         "a good planner's rows beside them",
