@@ -187,8 +187,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   while (bytes.size > 0) edit(handle, base, bytes);
   if (!keeps_digests) {
     try {
-      test::redigest(handle);
-    } catch (const InputError&) {  // damaged by an edit
+      avoidbench::test::redigest(handle);
+    } catch (const avoidbench::InputError&) {  // damaged by an edit
     }
   }
   run(handle,
