@@ -29,8 +29,8 @@ foreach(folder configs maps docs scripts planners/template python/avoidbench)
 endforeach()
 
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/lib/sdk/planner_api/avoidbench DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-        COMPONENT sdk FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp")
-install(TARGETS avoidbench_planner_api EXPORT avoidbench_targets COMPONENT sdk)
+        COMPONENT sdk)
+install(TARGETS avoidbench_planner_api avoidbench_repeatable EXPORT avoidbench_targets COMPONENT sdk)
 install(EXPORT avoidbench_targets FILE avoidbench-targets.cmake NAMESPACE avoidbench:: DESTINATION ${package_folder}
         COMPONENT sdk)
 export(EXPORT avoidbench_targets NAMESPACE avoidbench:: FILE ${PROJECT_BINARY_DIR}/avoidbench-targets.cmake)

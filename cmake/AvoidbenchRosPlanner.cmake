@@ -1,7 +1,7 @@
 # avoidbench_ros_planner(name SOURCES a.cpp … TOPICS topics.yaml [PARAMS params.yaml] [MESSAGES package folder …]
 # [INCLUDE folder …]
 #                        [NEEDS opencv pcl target …] [DEFINITIONS A=1 …] [STANDARD 14|17|20] [FOLDER folder])
-# ROS 1 sources, unchanged, as the planner <name>.so: docs/ros.md. MESSAGES: packages with .msg files of one's own.
+# ROS 1 sources, unchanged, as the planner <name>.so: docs/ros.md. MESSAGES: packages with .msg and .srv files of your own.
 # NEEDS: opencv (cv_bridge), pcl (the real one; stand-ins of its points and clouds are there without), or targets to
 # link. FOLDER: where <name>.so goes instead of planners/ of the build tree; it is not installed then.
 include(GNUInstallDirs)
@@ -32,7 +32,8 @@ function(avoidbench_ros_runtime)
     message(FATAL_ERROR "avoidbench_ros_planner needs PyYAML for ${Python3_EXECUTABLE}: the package python3-yaml")
   endif()
   file(GLOB packages CONFIGURE_DEPENDS ${AVOIDBENCH_ROS_SHIM}/messages/*)
-  file(GLOB files CONFIGURE_DEPENDS ${AVOIDBENCH_ROS_SHIM}/messages/*/msg/*.msg)
+  file(GLOB files CONFIGURE_DEPENDS ${AVOIDBENCH_ROS_SHIM}/messages/*/msg/*.msg
+       ${AVOIDBENCH_ROS_SHIM}/messages/*/srv/*.srv)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${files} ${AVOIDBENCH_ROS_SHIM}/make_messages.py)
   set(messages ${CMAKE_BINARY_DIR}/ros_shim_messages)
   avoidbench_ros_script("messages of the ROS shim" ${AVOIDBENCH_ROS_SHIM}/make_messages.py --out ${messages} ${packages})
@@ -46,7 +47,8 @@ function(avoidbench_ros_runtime)
 
   file(GLOB sources CONFIGURE_DEPENDS ${AVOIDBENCH_ROS_SHIM}/src/*.cpp)
   add_library(avoidbench_ros_runtime OBJECT ${sources})
-  target_link_libraries(avoidbench_ros_runtime PUBLIC avoidbench::planner_api avoidbench_ros_headers)
+  target_link_libraries(avoidbench_ros_runtime PUBLIC avoidbench::planner_api avoidbench_ros_headers
+                        PRIVATE avoidbench::repeatable)
   target_include_directories(avoidbench_ros_runtime PUBLIC ${AVOIDBENCH_ROS_SHIM}/src)
   target_compile_features(avoidbench_ros_runtime PUBLIC cxx_std_17)
   if(TARGET avoidbench_flags)
@@ -111,7 +113,8 @@ function(avoidbench_ros_planner name)
       list(APPEND known --known ${package})
     endforeach()
     foreach(package IN LISTS ROS_MESSAGES)
-      file(GLOB files CONFIGURE_DEPENDS ${package}/*.msg ${package}/msg/*.msg ${package}/package.xml)
+      file(GLOB files CONFIGURE_DEPENDS ${package}/*.msg ${package}/msg/*.msg ${package}/*.srv
+           ${package}/srv/*.srv ${package}/package.xml)
       set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${files})
     endforeach()
     avoidbench_ros_script("messages of ${name}" ${AVOIDBENCH_ROS_SHIM}/make_messages.py --out ${generated}/messages ${known} ${ROS_MESSAGES})

@@ -57,7 +57,11 @@ UNREPEATABLE = [
 TEACHER = "expert"
 # Where the C library's functions of that name are replaced by repeatable ones, and where they are looked for in
 # planners.
-REPEATABLE = {"planners/ros_shim/src/random.cpp", "lib/planner/conformance/import_notes.cpp"}
+REPEATABLE = {
+    "lib/sdk/planner_api/avoidbench/repeatable.hpp",
+    "lib/sdk/planner_api/avoidbench/repeatable/chance.cpp",
+    "lib/planner/conformance/import_notes.cpp",
+}
 # Messages of lib/ name no options of the command line: an OptionError has the option's name, and the program writes it
 # out. Allowed are whole words, which are arguments of a process, and the name of the place where overrides of keys
 # stand.

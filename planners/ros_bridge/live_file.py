@@ -134,7 +134,7 @@ class LiveFile:
     def _note(self, values):
         """What is for the shim alone, or can't be had with real nodes: passed over, and told."""
         places = [(node.values["main"], "main") for node in self.nodes if "main" in node.values]
-        places += [(values["packages"], "packages")] if "packages" in values else []
+        places += [(values[key], key) for key in ("packages", "compute_clock_us") if key in values]
         self.notes += [str(place.problem(f"{what} is for ros_shim alone")) for place, what in places]
 
     @property

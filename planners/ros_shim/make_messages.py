@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
-"""Writes C++ headers of ROS 1 messages from .msg files, as ROS names them: geometry_msgs/Point.msg becomes
-geometry_msgs/Point.h with geometry_msgs::Point, PointPtr, PointConstPtr and the template Point_<Allocator>.
+"""Writes C++ headers of ROS 1 messages and services from .msg and .srv files, as ROS names them:
+geometry_msgs/Point.msg becomes geometry_msgs/Point.h with geometry_msgs::Point, PointPtr, PointConstPtr and the
+template Point_<Allocator>; std_srvs/Trigger.srv becomes TriggerRequest.h, TriggerResponse.h and Trigger.h.
 
-    make_messages.py --out FOLDER PACKAGE…    PACKAGE: a folder with package.xml and msg/*.msg, or with *.msg, or a .msg
-    file make_messages.py --list PACKAGE…          the headers it would write, one a line
+    make_messages.py --out FOLDER PACKAGE…    PACKAGE: a folder with package.xml and msg/*.msg or srv/*.srv, or with
+                                              such files, or one of them
+    make_messages.py --list PACKAGE…          the headers it would write, one a line
 
 A package's name is the <name> of its package.xml, else its folder's. Needs Python 3 alone. Written in C++14."""
 
@@ -42,6 +44,7 @@ double else enum explicit export extern false float for friend goto if inline in
 noexcept not nullptr operator or private protected public register return short signed sizeof static struct switch
 template this throw true try typedef typeid typename union unsigned using virtual void volatile while xor""".split()
 )
+PARTS = ("Request", "Response")  # of a service
 TYPE = re.compile(r"([A-Za-z][A-Za-z0-9_]*(?:/[A-Za-z][A-Za-z0-9_]*)?)(\[(\d*)\])?")
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 
@@ -168,17 +171,54 @@ def read_line(message, line, file, number):
     message.fields.append(Field(kind, package, name, count, place))
 
 
-def read_message(package, file):
-    message = Message(package, file.stem, file)
+def read_messages(package, file):
+    """The message of a .msg file; the request and the response of a .srv file, which a line of --- parts."""
     if not NAME.fullmatch(file.stem):
         raise Place(file, 1, 1).problem(f'"{file.stem}" is no name of a message')
     try:
         lines = file.read_text(encoding="utf-8").splitlines()
     except UnicodeDecodeError:
         raise Place(file, 1, 1).problem("this is no text in UTF-8") from None
+    parts = [""] if file.suffix == ".msg" else PARTS
+    messages = [Message(package, file.stem + part, file) for part in parts]
+    at = 0
     for number, line in enumerate(lines, 1):
-        read_line(message, line, file, number)
-    return message
+        if file.suffix == ".srv" and re.fullmatch(r"---+\s*", line):
+            at += 1
+            if at == len(messages):
+                raise Place(file, number, 1).problem("a second ---: a service has a request and a response")
+            continue
+        read_line(messages[at], line, file, number)
+    if at + 1 < len(messages):
+        raise Place(file, len(lines) + 1, 1).problem("no --- between the request and the response")
+    return messages
+
+
+def service_text(package, name):
+    """The header of a service, over those of its two messages."""
+    guard = f"{package.upper()}_SERVICE_{name.upper()}_H"
+    return "\n".join(
+        [
+            f"// {package}/{name}, by make_messages.py.",
+            f"#ifndef {guard}",
+            f"#define {guard}",
+            "",
+            *[f'#include "{package}/{name}{part}.h"' for part in PARTS],
+            "",
+            f"namespace {package} {{",
+            "",
+            f"struct {name} {{",
+            *[f"  using {part} = {name}{part};\n  using {part}Type = {part};" for part in PARTS],
+            "  Request request;",
+            "  Response response;",
+            "};",
+            "",
+            f"}}  // namespace {package}",
+            "",
+            "#endif",
+            "",
+        ]
+    )
 
 
 def package_name(folder):
@@ -192,18 +232,20 @@ def package_name(folder):
 
 
 def package_files(path):
-    """(package, .msg file) of what the command line names."""
+    """(package, .msg or .srv file) of what the command line names."""
     path = path.resolve()
-    if path.suffix == ".msg":
-        folder = path.parent.parent if path.parent.name == "msg" else path.parent
+    if path.suffix in (".msg", ".srv"):
+        folder = path.parent.parent if path.parent.name in ("msg", "srv") else path.parent
         return [(package_name(folder), path)]
     if not path.is_dir():
         raise Problem(f"{path}: no such folder")
-    if path.name == "msg":
+    if path.name in ("msg", "srv"):
         path = path.parent
-    files = sorted((path / "msg" if (path / "msg").is_dir() else path).glob("*.msg"))
+    files = []
+    for kind in ("msg", "srv"):
+        files += sorted((path / kind if (path / kind).is_dir() else path).glob(f"*.{kind}"))
     if not files:
-        raise Problem(f"{path}: no .msg files in it or in its folder msg")
+        raise Problem(f"{path}: no .msg or .srv files in it or in its folders msg and srv")
     return [(package_name(path), file) for file in files]
 
 
@@ -393,7 +435,7 @@ def main():
         if asked.list:
             print("\n".join(f"{package}/{file.stem}.h" for package, file in files))
             return 0
-        messages = [read_message(package, file) for package, file in files]
+        messages = [message for package, file in files for message in read_messages(package, file)]
         known = {f"{package}/{file.stem}" for folder in asked.known for package, file in package_files(folder)}
         known |= {message.type() for message in messages}
         for message in messages:
@@ -406,10 +448,13 @@ def main():
         return 1
     if asked.out is None:
         parser.error("--out FOLDER or --list")
-    for message in messages:
-        file = asked.out / message.package / f"{message.name}.h"
+    headers = {message.type(): header_text(message) for message in messages}
+    headers |= {
+        f"{package}/{file.stem}": service_text(package, file.stem) for package, file in files if file.suffix == ".srv"
+    }
+    for name, text in headers.items():
+        file = asked.out / f"{name}.h"
         file.parent.mkdir(parents=True, exist_ok=True)
-        text = header_text(message)
         if not file.exists() or file.read_text() != text:  # others compile again only where something changed
             file.write_text(text)
     return 0

@@ -198,6 +198,11 @@ class Planner:
             [topics_spec.Parameter(one) for one in values["parameters"].list()] if "parameters" in values else []
         )
         expressions = topics_spec.Expressions(self.parameters)
+        self.compute_clock_us = values["compute_clock_us"].number(1e-3, 1e6) if "compute_clock_us" in values else 1.0
+        for one in values["parameters"].list() if "parameters" in values else []:
+            name = one.map(topics_spec.PARAMETER_KEYS)["name"]
+            if name.text() == "compute_clock_us":
+                raise name.problem("each ROS planner has compute_clock_us: compute_clock_us: N sets its default")
         self.nodes = [Node(one, sources, expressions) for one in values["nodes"].list()]
         for later, node in enumerate(self.nodes):
             for other in self.nodes[:later]:
@@ -230,7 +235,7 @@ class Planner:
         self.command = Command(values["command"])
 
     def cpp(self):
-        count = len(self.parameters)
+        count = len(self.parameters) + 1
         lines = [
             "// By make_planner.py.",
             "#include <algorithm>",
@@ -238,6 +243,7 @@ class Planner:
             "#include <limits>",
             "",
             f'#include "{self.command.type}.h"',
+            '#include "avoidbench/repeatable.hpp"',
             '#include "planner_spec.hpp"',
             '#include "ros_shim/callback.h"',
             "",
@@ -248,11 +254,11 @@ class Planner:
         for node in self.nodes:
             arguments = ("int count, char** words", "count, words") if node.signature else ("int, char**", "")
             lines.append(f"int main_of_{node.name}({arguments[0]}) {{ return {node.symbol}({arguments[1]}); }}")
-        if count:
-            lines += ["", f"const ab_parameter parameters[{count}] = {{"]
-            lines += [f"    {parameter_cpp(parameter)}," for parameter in self.parameters]
-            pointers = ", ".join(f"&parameters[{index}]" for index in range(count))
-            lines += ["};", f"const ab_parameter* const parameter_pointers[{count}] = {{{pointers}}};"]
+        lines += ["", f"const ab_parameter parameters[{count}] = {{"]
+        lines += [f"    {parameter_cpp(parameter)}," for parameter in self.parameters]
+        lines += [f"    avoidbench::compute_clock_parameter({real(self.compute_clock_us)}),", "};"]
+        pointers = ", ".join(f"&parameters[{index}]" for index in range(count))
+        lines += [f"const ab_parameter* const parameter_pointers[{count}] = {{{pointers}}};"]
         lines += [
             "",
             "void set_parameters(const Given& given) {",
@@ -272,6 +278,7 @@ class Planner:
             "",
             "PlannerSpec planner_spec() {",
             "  PlannerSpec spec;",
+            f"  spec.compute_clock = {len(self.parameters)};",
             f"  spec.lead_s = {real(self.lead_s)};",
             *[node.cpp() for node in self.nodes],
             *[f"  spec.packages.push_back({{{quoted(a)}, {quoted(b)}}});" for a, b in self.packages],
@@ -285,7 +292,7 @@ class Planner:
             f"const ab_planner planner_table = {{sizeof(ab_planner), AVOIDBENCH_ABI_VERSION, {quoted(self.name)},",
             f"    {quoted(self.version)}, {quoted(self.summary)},",
             f"    {' | '.join(sorted(self.needs))}, {self.command.bits},",
-            f"    {count}, 0, {'parameter_pointers' if count else 'nullptr'}, &create, &destroy, &reset, &plan, "
+            f"    {count}, 0, parameter_pointers, &create, &destroy, &reset, &plan, "
             f"nullptr, 0, 0, "
             "nullptr, 0.0, 0.0};",
             "",

@@ -53,7 +53,9 @@ POINTS_IN = ("world", "body", "lidar")  # whose coordinates a lidar's points hav
 CLOUD_KEYS = {"stride_px": "camera", "camera": "camera", "points_in": "lidar"}
 GOAL_TYPES = ("geometry_msgs/PoseStamped", "geometry_msgs/PointStamped", "nav_msgs/Path", "geometry_msgs/Pose")
 # Keys of a topics file; each says which of the two takes it, where it is one of them alone.
-KEYS = ["version", "summary", "lead_s", "nodes", "params", "packages", "parameters", "publish", "command", "live"]
+KEYS = ["version", "summary", "lead_s", "compute_clock_us", "nodes", "params", "packages", "parameters", "publish"]
+KEYS += ["command", "live"]
+PARAMETER_KEYS = ["name", "unit", "kind", "default", "lowest", "highest", "choices", "doc"]
 NODE_KEYS = ["name", "main", "run", "namespace", "remap", "params", "args"]
 TYPE = re.compile(r"[A-Za-z]\w*/[A-Za-z]\w*")
 
@@ -62,8 +64,7 @@ class Parameter:
     """One that the planner declares to avoidbench."""
 
     def __init__(self, tree):
-        known = ["name", "unit", "kind", "default", "lowest", "highest", "choices", "doc"]
-        values = tree.map(known)
+        values = tree.map(PARAMETER_KEYS)
         for key in ("name", "default", "doc"):
             if key not in values:
                 raise tree.problem(f"a parameter has a {key}")

@@ -9,8 +9,8 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 cmake --install "$build_folder" --prefix "$work/prefix" --component sdk >/dev/null
-for header in planner.h planner.hpp canvas.hpp goals.hpp known_world.hpp planner_eigen.hpp portable_math.hpp tracks.hpp \
-    views.hpp; do
+for header in planner.h planner.hpp canvas.hpp goals.hpp known_world.hpp planner_eigen.hpp portable_math.hpp \
+    repeatable.hpp tracks.hpp views.hpp; do
   [ -f "$work/prefix/include/avoidbench/$header" ] || { echo "$header is not installed"; exit 1; }
 done
 
@@ -35,3 +35,16 @@ cmake -S "$work/drift" -B "$work/build" -DCMAKE_PREFIX_PATH="$work/prefix" -DCMA
   -DCMAKE_CXX_FLAGS="-Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Wold-style-cast -Werror" >/dev/null
 cmake --build "$work/build" >/dev/null
 "$conformance" "$work/build/planners/drift.so"
+
+# A planner that ends by its clock and seeds from chance repeats by what the SDK compiles into it.
+mkdir anytime && cp "$source_folder/tests/planners/repeatable/anytime.cpp" anytime
+cat > anytime/CMakeLists.txt <<'CMAKE'
+cmake_minimum_required(VERSION 3.22)
+project(anytime CXX)
+find_package(avoidbench REQUIRED)
+avoidbench_planner(anytime SOURCES anytime.cpp PRIVATE avoidbench::repeatable)
+CMAKE
+cmake -S anytime -B anytime/build -DCMAKE_PREFIX_PATH="$work/prefix" -DCMAKE_CXX_COMPILER="$compiler" \
+  -DCMAKE_CXX_FLAGS="-Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Wold-style-cast -Werror" >/dev/null
+cmake --build anytime/build >/dev/null
+"$conformance" anytime/build/planners/anytime.so

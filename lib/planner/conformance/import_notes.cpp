@@ -19,7 +19,7 @@ constexpr Import kClocks[] = {{"clock_gettime", "clock_gettime"},
                               {"timespec_get", "timespec_get"},
                               {"_ZNSt6chrono3_V212steady_clock3nowEv", "steady_clock::now"},
                               {"_ZNSt6chrono3_V212system_clock3nowEv", "system_clock::now"}};
-constexpr Import kChance[] = {{"_ZNSt13random_device", "std::random_device"},
+constexpr Import kChance[] = {{"_ZNSt13random_device9_M_getval", "std::random_device"},
                               {"getrandom", "getrandom"},
                               {"getentropy", "getentropy"},
                               {"arc4random", "arc4random"},

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "avoidbench/repeatable.hpp"
+
 namespace ros_shim {
 namespace {
 
@@ -11,6 +13,11 @@ constexpr int kMostTurnsAtOnce = 2000000;
 constexpr int kMostFarewells = 200;
 
 std::unique_ptr<Core> the_core;
+
+void set_now(Core& core, std::int64_t to_ns) {
+  core.now_ns = std::max(core.now_ns, to_ns);
+  avoidbench::set_clocks_ns(core.now_ns);
+}
 
 bool is_ready(const Core& core, const Node& node) {
   if (!node.fibre || node.fibre->is_done()) return false;
@@ -120,12 +127,12 @@ void run_scheduler(Core& core, std::int64_t to_ns) {
     const std::int64_t next_ns = next_event_ns(core);
     if (next_ns > to_ns) break;
     if (next_ns > core.now_ns) {
-      core.now_ns = next_ns;
+      set_now(core, next_ns);
       turns = 0;
     }
     queue_ticks(core);
   }
-  core.now_ns = std::max(core.now_ns, to_ns);
+  set_now(core, to_ns);
 }
 
 /// The body of a node's fibre.
@@ -151,9 +158,13 @@ Core& core() {
   return *the_core;
 }
 
-void set_core(std::unique_ptr<Core> fresh) {
+bool is_over() { return the_core == nullptr; }
+
+void set_core(std::unique_ptr<Core> fresh, std::int64_t look_ns, std::uint64_t seed) {
   the_core = std::move(fresh);
   if (!the_core) return;
+  avoidbench::begin_repeatable_ns(the_core->now_ns, look_ns, seed);
+  avoidbench::set_sleep(&sleep_of_thread_ns);
   the_core->nodes.push_back(std::make_unique<Node>());
   Node& host = *the_core->nodes.front();
   host.full_name = "/avoidbench";
@@ -182,13 +193,15 @@ void add_node(const NodeSpec& spec) {
 
 void advance(std::int64_t to_ns) {
   Core& core = ros_shim::core();
+  core.thread = ::pthread_self();
   run_scheduler(core, to_ns);
 }
 
-void set_now(std::int64_t to_ns) { core().now_ns = std::max(core().now_ns, to_ns); }
+void set_now(std::int64_t to_ns) { set_now(core(), to_ns); }
 
 void end_nodes() {
   Core& core = ros_shim::core();
+  core.thread = ::pthread_self();
   core.is_running = false;
   for (std::size_t i = core.nodes.size(); i-- > 0;) {
     Node& node = *core.nodes[i];
@@ -224,6 +237,10 @@ void run_one_callback(Node& node) {
   node.queue.pop_front();
   if (waiting.timer >= 0) {
     run_tick(core, waiting.timer);
+    return;
+  }
+  if (waiting.call) {
+    answer_call(core, *waiting.call);
     return;
   }
   // Held: the callback may unsubscribe itself.

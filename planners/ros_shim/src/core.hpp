@@ -1,5 +1,7 @@
 #pragma once
 
+#include <pthread.h>
+
 #include <cstdint>
 #include <deque>
 #include <exception>
@@ -29,11 +31,22 @@ struct NodeSpec {
   std::vector<std::string> arguments;
 };
 
-/// A callback that waits in a node's queue.
+struct Node;
+
+/// A call of a service on its way.
+struct ServiceCall {
+  std::shared_ptr<Answer> answer;
+  void *request = nullptr, *response = nullptr;
+  Node* caller = nullptr;  ///< null: gone
+  bool is_answered = false, is_good = false;
+};
+
+/// A callback that waits in a node's queue: of a subscription, a timer or a service.
 struct Waiting {
   std::uint64_t order = 0;
   int subscription = -1, timer = -1;
   Delivery delivery;
+  std::shared_ptr<ServiceCall> call;
 };
 
 struct Node {
@@ -66,6 +79,12 @@ struct Topic {
   std::string latched_by;
 };
 
+struct Service {
+  std::string name, request_type;
+  Node* node = nullptr;
+  std::shared_ptr<Answer> answer;  ///< null once withdrawn
+};
+
 struct Timer {
   Node* node = nullptr;
   std::int64_t period_ns = 0, next_ns = 0, last_expected_ns = 0, last_real_ns = 0;
@@ -75,12 +94,14 @@ struct Timer {
 
 struct Core {
   std::int64_t now_ns = 0;
+  pthread_t thread{};  ///< that nodes run on
   bool is_running = true;
   std::uint64_t next_order = 0;
   std::vector<std::unique_ptr<Node>> nodes;  ///< the first is the host's side
   Node* current = nullptr;
   std::vector<std::unique_ptr<Topic>> topics;
   std::vector<std::unique_ptr<Subscription>> subscriptions;
+  std::vector<std::unique_ptr<Service>> services;
   std::vector<Timer> timers;
   std::map<std::string, Value> parameters;  ///< leaves by full name
   std::map<std::string, std::string> packages;
@@ -89,14 +110,19 @@ struct Core {
 
 /// The one of this copy.
 Core& core();
-/// Makes it anew; null ends it.
-void set_core(std::unique_ptr<Core> fresh);
+/// Whether there is none: before a trial and after it.
+bool is_over();
+/// Makes it anew; null ends it. Clocks stand at its time, and each look at them takes `look_ns`.
+void set_core(std::unique_ptr<Core> fresh, std::int64_t look_ns = 1000, std::uint64_t seed = 0);
 
 /// Adds a node whose main begins when the clock next advances.
 void add_node(const NodeSpec& spec);
 /// Runs everything that is due up to and at `to_ns`, in the order of time, then of creation. Throws
 /// what a node threw, with its name.
 void advance(std::int64_t to_ns);
+/// What C's and C++'s sleeps do: a node lets the others go on, as by ros::Duration::sleep(). Of
+/// threads that a node has started the scheduler knows nothing: they sleep by the wall's clock.
+void sleep_of_thread_ns(std::int64_t duration_ns);
 /// Time alone: what is due waits for the next advance().
 void set_now(std::int64_t to_ns);
 /// Ends all nodes: ros::ok() is false and every wait ends, so that their mains return. Those that
@@ -108,6 +134,7 @@ void end_nodes();
 void wait(std::int64_t wake_ns, bool takes_callbacks);
 /// The first callback in the node's queue.
 void run_one_callback(Node& node);
+void answer_call(Core& core, ServiceCall& call);
 
 /// Thrown through a node that does not end by itself.
 struct Unwind {};

@@ -148,7 +148,12 @@ Flight::Flight(const ab_host& host, const ab_setup& setup, const ab_mission& mis
     : spec_(planner_spec()) {
   require_finite(mission.start_world_m, "the mission's start");
   require_finite(mission.goal_world_m, "the mission's goal");
-  set_core(std::make_unique<Core>());
+  const Given given = given_of(setup, mission);
+  const std::int64_t lead_ns = nanoseconds_of(spec_.lead_s);
+  auto fresh = std::make_unique<Core>();
+  fresh->now_ns = kStart_ns - lead_ns;
+  set_core(std::move(fresh), nanoseconds_of(1e-6 * given.numbers.at(spec_.compute_clock)),
+           mission.seed);
   Core& core = ros_shim::core();
   const ab_host* const to = &host;
   core.write_log = [to](Level level, const std::string& text) {
@@ -156,8 +161,6 @@ Flight::Flight(const ab_host& host, const ab_setup& setup, const ab_mission& mis
     to->log(to->context, is_bad ? AB_LOG_WARNING : AB_LOG_INFO, (word_of(level) + text).c_str());
   };
   for (const auto& [package, folder] : spec_.packages) core.packages[package] = folder;
-  const std::int64_t lead_ns = nanoseconds_of(spec_.lead_s);
-  core.now_ns = kStart_ns - lead_ns;
   try {
     observations_ = std::make_unique<Observations>(spec_, setup, mission);
     commands_ = std::make_unique<Commands>(spec_.command, setup);
@@ -165,7 +168,7 @@ Flight::Flight(const ab_host& host, const ab_setup& setup, const ab_mission& mis
     command_ = spec_.subscribe(node, spec_.command,
                                [this](SetPoints points) { commands_->take(std::move(points)); });
     for (const NodeSpec& one : spec_.nodes) add_node(one);
-    spec_.set_parameters(given_of(setup, mission));
+    spec_.set_parameters(given);
     // Until the trial begins the nodes start; the vehicle hovers and tells so.
     const std::int64_t period_ns =
         std::max<std::int64_t>(1000000, nanoseconds_of(setup.plan_period_s));

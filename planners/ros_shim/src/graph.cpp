@@ -1,6 +1,11 @@
+#include <sys/syscall.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <ctime>
 #include <stdexcept>
 
+#include "avoidbench/repeatable.hpp"
 #include "core.hpp"
 
 // What ros_shim/runtime.h declares: topics, timers, life of a node.
@@ -9,15 +14,6 @@ namespace {
 
 Topic& topic_at(int topic) { return *core().topics[static_cast<std::size_t>(topic)]; }
 Timer& timer_at(int timer) { return core().timers[static_cast<std::size_t>(timer)]; }
-bool is_over() {
-  // Publishers and timers of static storage outlive the simulation.
-  try {
-    core();
-    return false;
-  } catch (const std::logic_error&) {
-    return true;
-  }
-}
 
 void enqueue(Core& core, int index, const Delivery& delivery) {
   Subscription& subscription = *core.subscriptions[static_cast<std::size_t>(index)];
@@ -48,6 +44,11 @@ void enqueue(Core& core, int index, const Delivery& delivery) {
 
 std::int64_t now_ns() { return core().now_ns; }
 
+std::int64_t clock_ns() {
+  core();  // throws where there is no trial
+  return avoidbench::look_at_clock_ns();
+}
+
 void sleep_until_ns(std::int64_t time_ns) {
   const auto is_past = [&] { return core().now_ns >= time_ns; };
   Core& core = ros_shim::core();
@@ -67,6 +68,15 @@ void sleep_until_ns(std::int64_t time_ns) {
 
 void sleep_for_ns(std::int64_t nanoseconds) {
   if (nanoseconds > 0) sleep_until_ns(now_ns() + nanoseconds);
+}
+
+void sleep_of_thread_ns(std::int64_t duration_ns) {
+  if (is_over()) return;
+  if (::pthread_equal(core().thread, ::pthread_self()) != 0) return sleep_for_ns(duration_ns);
+  std::timespec duration{};
+  duration.tv_sec = static_cast<std::time_t>(duration_ns / 1000000000);
+  duration.tv_nsec = static_cast<long>(duration_ns % 1000000000);
+  ::syscall(SYS_nanosleep, &duration, nullptr);
 }
 
 // life
@@ -120,6 +130,28 @@ void spin_once() {
   wait(core.now_ns + kPause_ns, true);
 }
 
+int call_callbacks(int most, std::int64_t wait_ns) {
+  Core& core = ros_shim::core();
+  Node& node = *core.current;
+  const std::int64_t end_ns = core.now_ns + wait_ns;
+  while (is_running() && node.queue.empty() && core.now_ns < end_ns) wait(end_ns, true);
+  if (node.queue.empty()) {
+    // As of spin_once(): a loop that polls lets time go on.
+    spin_once();
+    return 0;
+  }
+  node.polls = 0;
+  int called = 0;
+  for (auto count = node.queue.size(); count > 0 && !node.queue.empty() && is_running(); --count) {
+    if (called == most) break;
+    run_one_callback(node);
+    ++called;
+  }
+  return called;
+}
+
+std::size_t waiting_callbacks() { return core().current->queue.size(); }
+
 void spin_in_background(bool on) { core().current->background_spinners += on ? 1 : -1; }
 
 // topics
@@ -141,6 +173,7 @@ int topic_of(const std::string& name, const char* type) {
 }
 
 void count_publishers(int topic, int change) {
+  // Publishers and timers of static storage outlive the simulation.
   if (!is_over()) topic_at(topic).publishers += change;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -90,6 +91,7 @@ struct CommandForm {
 };
 
 struct PlannerSpec {
+  std::size_t compute_clock = 0;  ///< which of the parameters is compute_clock_us
   std::vector<NodeSpec> nodes;
   std::vector<std::pair<std::string, std::string>> packages;
   double lead_s = 0.0;

@@ -57,6 +57,11 @@ geometry_msgs/Point[3] corners
 Other[] others
 string name
 """
+BAD_SERVICES = {
+    "bool a\n": "2:1: no --- between the request and the response",
+    "bool a\n---\n---\n": "3:1: a second ---: a service has a request and a response",
+    "bool a\n---\nboool b\n": "3:1: there is no message named_srvs/boool: is its package among MESSAGES?",
+}
 GOOD_TOPICS = """nodes:
   - name: planner
     params: {gain: "${2 * max_speed_mps}"}
@@ -76,6 +81,11 @@ BAD_TOPICS = {
     ("type: geometry_msgs/Twist", "type: Twist"): '6:30: "Twist" is no type of a message, as geometry_msgs/Twist',
     ("publish:", "publis:"): '4:1: there is no "publis" here; did you mean publish?',
     ("nodes:", "lead_s: soon\nnodes:"): '1:9: "soon" is no number',
+    ("nodes:", "compute_clock_us: 0\nnodes:"): "1:19: 0 is not from 0.001 to ",
+    (
+        "nodes:",
+        "parameters: [{name: compute_clock_us, default: 1, lowest: 1, highest: 9, doc: d}]\nnodes:",
+    ): "1:21: each ROS planner has compute_clock_us: compute_clock_us: N sets its default",
     ("  odometry: {topic: /odom}", "  odometry: {topic: /odom"): "6:",
     ("  odometry: {topic: /odom}", "  cloud: {topic: /p, lidar: -1}"): "5:29: -1 is not from 0 to ",
     ("  odometry: {topic: /odom}", "  cloud: {topic: /p, lidar: top}"): '5:29: "top" is no number',
@@ -161,6 +171,20 @@ with tempfile.TemporaryDirectory() as name:
     expect(
         "a package's name is in its package.xml", listed.split() == ["named_msgs/Good.h", "named_msgs/Other.h"], listed
     )
+    services = folder / "named_srvs" / "srv"
+    services.mkdir(parents=True)
+    for text, problem in BAD_SERVICES.items():
+        (services / "Bad.srv").write_text(text)
+        code, said, _ = run("make_messages.py", "--out", folder / "out", *stock, services.parent)
+        expect(f"{text!r}: {problem}", code == 1 and said == f"{(services / 'Bad.srv').resolve()}:{problem}", said)
+    (services / "Bad.srv").unlink()
+    (services / "Plan.srv").write_text("geometry_msgs/Point goal\n---\nbool good  # or not\nnav_msgs/Path path\n")
+    code, said, _ = run("make_messages.py", "--out", folder / "out", *stock, services.parent)
+    expect("a good service", code == 0, said)
+    made = {name: (folder / f"out/named_srvs/{name}.h").read_text() for name in ("Plan", "PlanRequest", "PlanResponse")}
+    expect("a request", "::geometry_msgs::Point_<ContainerAllocator> goal;" in made["PlanRequest"], made)
+    expect("a response", "::nav_msgs::Path_<ContainerAllocator> path;" in made["PlanResponse"], made)
+    expect("a service", "using Response = PlanResponse;" in made["Plan"], made)
     code, said, _ = run("make_messages.py", "--out", folder / "out", folder / "nowhere")
     expect("a folder that is not there", code == 1 and said.endswith("nowhere: no such folder"), said)
 

@@ -3,9 +3,7 @@
 # the same rows, and stored trials fly again bit for bit.
 set -euo pipefail
 program=$1 planner=$2
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder"
+source "$(dirname "$0")/../support/same_rows.sh"
 cat > hall.yaml <<YAML
 sweep: ros_example
 seed: 1
@@ -22,9 +20,6 @@ sensor: {preset: depth_ideal, width_px: 160, height_px: 120}
 latency: {mode: fixed, ms: 33}
 mission: {time_limit_s: 60}
 YAML
-"$program" run hall.yaml --jobs 1 --db one.db --quiet
-"$program" run hall.yaml --jobs 2 --db two.db --quiet
-"$program" compare one.db two.db --exact
-"$program" replay one.db --verify
+same_rows hall.yaml
 reached=$(sqlite3 one.db "SELECT count(*) FROM trials WHERE finished = 1")
 [ "$reached" -eq 4 ] || { echo "$reached of 4 flights reached the goal" >&2; exit 1; }

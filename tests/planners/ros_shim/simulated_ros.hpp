@@ -30,8 +30,9 @@ class SimulatedRos {
   explicit SimulatedRos(std::vector<std::function<void()>> mains,
                         std::vector<std::pair<std::string, std::string>> remappings = {}) {
     bodies() = std::move(mains);
-    set_core(std::make_unique<Core>());
-    core().now_ns = kBegin_ns;
+    auto fresh = std::make_unique<Core>();
+    fresh->now_ns = kBegin_ns;
+    set_core(std::move(fresh));
     core().write_log = [this](Level, const std::string& text) { lines.push_back(text); };
     int (*const functions[])(int, char**) = {&main_of<0>, &main_of<1>, &main_of<2>};
     const char* const names[] = {"a", "b", "c"};

@@ -1,6 +1,12 @@
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <chrono>
+#include <cstdlib>
+#include <ctime>
+#include <random>
 #include <sstream>
+#include <thread>
 
 #include "planner_spec.hpp"
 #include "simulated_ros.hpp"
@@ -63,6 +69,67 @@ TEST(RosClock, SleepsAndRatesFollowSimulatedTime) {
   ros.run_to(2.0);
   EXPECT_EQ(woken, (std::vector<double>{0.5, 0.6, 0.7, 0.8}));
   EXPECT_DOUBLE_EQ(now_s(), 2.0);
+}
+
+TEST(RosClock, EachLookIsAStepLaterUntilTimeGoesOn) {
+  std::vector<std::int64_t> looks_ns;
+  SimulatedRos ros({[&] {
+    const auto look = [&](std::int64_t at_ns) {
+      looks_ns.push_back(at_ns - SimulatedRos::kBegin_ns);
+    };
+    look(ros::Time::now().toNSec());
+    look(ros::WallTime::now().toNSec());
+    look(std::chrono::steady_clock::now().time_since_epoch().count());
+    std::timespec time{};
+    clock_gettime(CLOCK_MONOTONIC, &time);
+    look(static_cast<std::int64_t>(time.tv_sec) * 1000000000 + time.tv_nsec);
+    ros::Duration(0.5).sleep();
+    look(std::chrono::system_clock::now().time_since_epoch().count());
+  }});
+  ros.run_to(1.0);
+  EXPECT_EQ(looks_ns, (std::vector<std::int64_t>{0, 1000, 2000, 3000, 500000000}));
+}
+
+TEST(RosClock, ABudgetIsANumberOfLooks) {
+  int rounds = 0;
+  SimulatedRos ros({[&] {
+    const ros::Time begin = ros::Time::now();
+    while (ros::Time::now() - begin < ros::Duration(0.005)) ++rounds;
+  }});
+  ros.run_to(0.0);
+  EXPECT_EQ(rounds, 4999);
+}
+
+TEST(RosClock, SleepsOfTheCLibraryLetOtherNodesGoOn) {
+  std::string order;
+  SimulatedRos ros({[&] {
+                      usleep(300000);
+                      order += 'c';
+                      std::this_thread::sleep_for(std::chrono::milliseconds(300));
+                      order += "C " + std::to_string(now_s());
+                    },
+                    [&] {
+                      ros::Duration(0.4).sleep();
+                      order += 'r';
+                    }});
+  ros.run_to(0.2);
+  EXPECT_EQ(order, "");
+  ros.run_to(1.0);
+  EXPECT_EQ(order, "crC 0.600000");
+}
+
+TEST(RosChance, FollowsFromTheTrialAlone) {
+  const auto numbers = [](std::uint64_t seed) {
+    set_core(std::make_unique<Core>(), 1000, seed);
+    std::random_device device;
+    return std::vector<std::uint32_t>{device(), device(), static_cast<std::uint32_t>(rand())};
+  };
+  const std::vector<std::uint32_t> first = numbers(1);
+  EXPECT_EQ(numbers(1), first);
+  EXPECT_NE(numbers(2)[0], first[0]);
+  EXPECT_NE(first[0], first[1]);
+  EXPECT_EQ(first[2], 1804289383U);  // of the C library, from seed 1
+  set_core(nullptr);
 }
 
 TEST(RosTimer, TicksInTheOrderOfTimeThenOfCreation) {

@@ -6,7 +6,10 @@
 #include <utility>
 #include <vector>
 
+#include "ros/callback_queue.h"
 #include "ros/publisher.h"
+#include "ros/service_client.h"
+#include "ros/service_server.h"
 #include "ros/subscriber.h"
 #include "ros/timer.h"
 #include "ros/transport_hints.h"
@@ -113,6 +116,53 @@ class NodeHandle {
     return subscribed<P>(topic, limit, callback);
   }
 #endif
+
+  // services
+  template <class T, class Request, class Response>
+  ServiceServer advertiseService(const std::string& service,
+                                 bool (T::*callback)(Request&, Response&), T* object) {
+    return offered<Request, Response>(
+        service, [object, callback](Request& q, Response& a) { return (object->*callback)(q, a); });
+  }
+  template <class T, class Request, class Response>
+  ServiceServer advertiseService(const std::string& service,
+                                 bool (T::*callback)(Request&, Response&),
+                                 const ros_shim::shared_ptr<T>& object) {
+    return offered<Request, Response>(service, [object, callback](Request& q, Response& a) {
+      return (object.get()->*callback)(q, a);
+    });
+  }
+  template <class Request, class Response>
+  ServiceServer advertiseService(const std::string& service,
+                                 bool (*callback)(Request&, Response&)) {
+    return offered<Request, Response>(service, callback);
+  }
+  template <class Request, class Response>
+  ServiceServer advertiseService(const std::string& service,
+                                 const std::function<bool(Request&, Response&)>& callback) {
+    return offered<Request, Response>(service, callback);
+  }
+#ifdef ROS_SHIM_HAS_BOOST
+  template <class Request, class Response>
+  ServiceServer advertiseService(const std::string& service,
+                                 const boost::function<bool(Request&, Response&)>& callback) {
+    return offered<Request, Response>(service, callback);
+  }
+#endif
+  template <class Service>
+  ServiceClient serviceClient(const std::string& service, bool /*persistent*/ = false,
+                              const M_string& = M_string()) {
+    return ServiceClient(topic_name(service));
+  }
+  template <class Request, class Response>
+  ServiceClient serviceClient(const std::string& service, bool /*persistent*/ = false,
+                              const M_string& = M_string()) {
+    return ServiceClient(topic_name(service));
+  }
+
+  /// There is one queue a node.
+  void setCallbackQueue(CallbackQueueInterface*) {}
+  CallbackQueueInterface* getCallbackQueue() const { return getGlobalCallbackQueue(); }
 
   // timers
   template <class T>
@@ -233,6 +283,17 @@ class NodeHandle {
     return Subscriber(
         ros_shim::subscribe(number, limit, ros_shim::deliver_to<P>(std::move(callback))), number,
         name);
+  }
+
+  template <class Request, class Response, class Callback>
+  ServiceServer offered(const std::string& service, Callback callback) {
+    const std::string name = topic_name(service);
+    const ros_shim::Answer answer = [callback](void* request, void* response) {
+      return callback(*static_cast<Request*>(request), *static_cast<Response*>(response));
+    };
+    const int number =
+        ros_shim::offer_service(name, message_traits::DataType<Request>::value(), answer);
+    return ServiceServer(number, name);
   }
 
   std::string space_;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "ros/callback_queue.h"
 #include "ros_shim/runtime.h"
 
 namespace ros {
@@ -13,7 +14,7 @@ inline void spinOnce() { ros_shim::spin_once(); }
 class Spinner {
  public:
   virtual ~Spinner() = default;
-  virtual void spin() { ros_shim::spin(); }
+  virtual void spin(CallbackQueue* = nullptr) { ros_shim::spin(); }
 };
 class SingleThreadedSpinner : public Spinner {};
 /// One thread here too: callbacks never run at once.
@@ -26,7 +27,7 @@ inline void spin(Spinner& spinner) { spinner.spin(); }
 /// Callbacks run while the node's main sleeps or waits: there is one thread.
 class AsyncSpinner {
  public:
-  explicit AsyncSpinner(std::uint32_t = 0) {}
+  explicit AsyncSpinner(std::uint32_t = 0, CallbackQueue* = nullptr) {}
   AsyncSpinner(const AsyncSpinner&) = delete;
   AsyncSpinner& operator=(const AsyncSpinner&) = delete;
   ~AsyncSpinner() { stop(); }

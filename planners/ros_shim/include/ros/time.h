@@ -60,13 +60,13 @@ class TimeBase {
   bool operator>=(const T& other) const { return toNSec() >= other.toNSec(); }
 };
 
-/// The time of the simulation: it stands still while a callback runs.
+/// The time of the simulation, in which a callback takes as long as its looks at clocks.
 class Time : public TimeBase<Time, Duration> {
  public:
   Time() = default;
   Time(std::uint32_t sec_, std::uint32_t nsec_) : TimeBase<Time, Duration>(sec_, nsec_) {}
   explicit Time(double seconds) : TimeBase<Time, Duration>(seconds) {}
-  static Time now() { return Time().fromNSec(ros_shim::now_ns()); }
+  static Time now() { return Time().fromNSec(ros_shim::clock_ns()); }
   static bool sleepUntil(const Time& end) {
     ros_shim::sleep_until_ns(end.toNSec());
     return ros_shim::is_running();
@@ -87,7 +87,7 @@ class WallTime : public TimeBase<WallTime, WallDuration> {
   WallTime(std::uint32_t sec_, std::uint32_t nsec_)
       : TimeBase<WallTime, WallDuration>(sec_, nsec_) {}
   explicit WallTime(double seconds) : TimeBase<WallTime, WallDuration>(seconds) {}
-  static WallTime now() { return WallTime().fromNSec(ros_shim::now_ns()); }
+  static WallTime now() { return WallTime().fromNSec(ros_shim::clock_ns()); }
   static bool sleepUntil(const WallTime& end) {
     ros_shim::sleep_until_ns(end.toNSec());
     return ros_shim::is_running();
@@ -101,7 +101,7 @@ class SteadyTime : public TimeBase<SteadyTime, WallDuration> {
   SteadyTime(std::uint32_t sec_, std::uint32_t nsec_)
       : TimeBase<SteadyTime, WallDuration>(sec_, nsec_) {}
   explicit SteadyTime(double seconds) : TimeBase<SteadyTime, WallDuration>(seconds) {}
-  static SteadyTime now() { return SteadyTime().fromNSec(ros_shim::now_ns()); }
+  static SteadyTime now() { return SteadyTime().fromNSec(ros_shim::clock_ns()); }
 };
 
 extern const Time TIME_MIN, TIME_MAX;

@@ -26,6 +26,8 @@ using Deliver = std::function<void(const Delivery&)>;
 
 // time: of the simulation, in nanoseconds
 std::int64_t now_ns();
+/// The same on a clock that nodes look at: each look finds it a step later.
+std::int64_t clock_ns();
 /// The node that runs waits until then; others go on. Returns at once where the simulation ends.
 void sleep_until_ns(std::int64_t time_ns);
 
@@ -41,6 +43,11 @@ void spin();
 /// The callbacks that wait now. A node that asks again while time stands still and nothing has
 /// come, waits for the next message, a millisecond at most.
 void spin_once();
+/// At most so many of the callbacks that wait now; where none does, it waits for the first, at most
+/// for `wait_ns`. Returns how many there were.
+constexpr int kAllCallbacks = -1;
+int call_callbacks(int most, std::int64_t wait_ns);
+std::size_t waiting_callbacks();
 /// Callbacks run while the node sleeps too (ros::AsyncSpinner).
 void spin_in_background(bool on);
 /// Callbacks until `condition` holds or that time has come; whether it holds.
@@ -67,6 +74,21 @@ int subscribe(int topic, std::uint32_t limit, Deliver deliver);
 void unsubscribe(int subscription);
 std::size_t subscriber_count(int topic);
 std::size_t publisher_count(int topic);
+
+// services
+/// Reads the request, writes the response; false: the call failed.
+using Answer = std::function<bool(void* request, void* response)>;
+/// The number of the service, which the node that runs offers; throws std::logic_error where there
+/// is one of this name.
+int offer_service(const std::string& resolved_name, const char* request_type, Answer answer);
+void withdraw_service(int service);
+bool has_service(const std::string& resolved_name);
+/// Until somebody offers it, for `wait_ns` at most (negative: for ever); whether somebody does.
+bool wait_for_service(const std::string& resolved_name, std::int64_t wait_ns);
+/// Waits until the service has answered; throws std::logic_error where it takes another type. False
+/// where nobody offers it, its answer is false, or the flight ends.
+bool call_service(const std::string& resolved_name, const char* request_type, void* request,
+                  void* response);
 
 // timers
 struct TimerTick {

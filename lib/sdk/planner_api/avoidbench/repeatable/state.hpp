@@ -1,14 +1,15 @@
+#pragma once
+
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 
-// rand() of the nodes. The C library's has one state for the whole process, so that a flight would
-// depend on those before it; this one belongs to the library, of which each trial has a copy. The
-// numbers are the C library's: from seed 1 as in a process that has just started. The same as
-// lib/sim/maps/glibc_random, which the shim can't use: planners are built with the SDK alone.
-namespace {
+namespace avoidbench::repeatable {
 
+/// rand() of the C library, which has one state for the whole process; from seed 1 its numbers are
+/// those of a process that has just started. The same as lib/sim/maps/glibc_random, which planners
+/// can't use: they are built with the SDK alone.
 class Random {
  public:
   explicit Random(std::uint32_t seed) {
@@ -44,17 +45,17 @@ class Random {
   std::size_t oldest_ = kShortLag;
 };
 
-Random& numbers() {
-  static Random random(1);
-  return random;
-}
+/// What clocks and chance are at. Several threads may look at the clock: each finds a time of its
+/// own.
+struct State {
+  std::atomic<std::int64_t> next_ns{0};
+  std::atomic<std::int64_t> step_ns{1000};
+  std::atomic<void (*)(std::int64_t)> sleep_for_ns{nullptr};
+  Random random{1};
+  std::atomic<std::uint64_t> device{0};  ///< of std::random_device
+};
 
-}  // namespace
+/// Of the instance whose call this thread is in, else of the library.
+State& state();
 
-// As the C library declares them.
-extern "C" {
-int rand() noexcept { return numbers().next(); }
-void srand(unsigned seed) noexcept { numbers() = Random(seed); }
-long random() noexcept { return numbers().next(); }
-void srandom(unsigned seed) noexcept { numbers() = Random(seed); }
-}
+}  // namespace avoidbench::repeatable
