@@ -106,6 +106,9 @@ class LiveFile:
         for node in self.nodes:
             self.leaves += node.parameters
         self.published = topics_spec.all_published(values["publish"])
+        for one in self.published:
+            if one["kind"] == "tf":
+                raise one["place"].problem("tf is for ros_shim alone: with real nodes start one that publishes it")
         self.command = topics_spec.CommandSpec(values["command"])
         self.notes = []
         self._check_nodes(tree)

@@ -149,6 +149,9 @@ def publish_line(one):
             f"spec.odometry.push_back({{{topic}, {frame}, {quoted(one['child_frame'])}, {str(one['in_body']).lower()}, "
             f"{all_states}}});"
         )
+    if kind == "tf":
+        frames = f"{frame}, {quoted(one['child_frame'])}, {quoted(one['camera_frame'])}"
+        return f"  spec.transforms.push_back({{{topic}, {frames}, {camera}}});"
     if kind in ("pose", "twist", "imu"):
         member = {"pose": "poses", "twist": "twists", "imu": "imu"}[kind]
         return f"  spec.{member}.push_back({{{topic}, {frame}, {all_states}}});"

@@ -37,6 +37,7 @@ PUBLISH = {
     "odometry": (["child_frame", "velocity", "all_states"], "state"),
     "pose": (["all_states"], "state"),
     "twist": (["all_states"], "state"),
+    "tf": (["child_frame", "camera_frame", "camera"], "state"),
     "imu": ([], "imu"),
     "camera_pose": (["type", "camera"], "depth"),
     "depth": (["encoding", "info", "no_return_m", "invalid_m", "camera"], "depth"),
@@ -256,6 +257,9 @@ def published(kind, tree):
         "info": values["info"].text() if "info" in values else "",
         "all_states": "all_states" in values and values["all_states"].truth(),
     }
+    if kind == "tf":
+        found["child_frame"] = values["child_frame"].text() if "child_frame" in values else "base_link"
+        found["camera_frame"] = values["camera_frame"].text() if "camera_frame" in values else ""
     if kind == "odometry":
         found["child_frame"] = values["child_frame"].text() if "child_frame" in values else "body"
         found["in_body"] = "velocity" in values and values["velocity"].word(["world", "body"]) == "body"

@@ -26,6 +26,7 @@ class Observations {
   void publish_samples(const ab_observation& seen, std::int64_t to_ns);
   void publish_imu(const ab_imu_sample& sample);
   void publish_state(const ab_state& state, StateTopics which);
+  void publish_transforms(const ab_state& state);
   void publish_depth(const ab_depth_image& image);
   void publish_cloud(const ab_depth_image& image, std::size_t index);
   void publish_sweep(const ab_cloud& sweep);
@@ -37,7 +38,7 @@ class Observations {
   std::vector<ab_camera> cameras_;
   std::vector<ab_lidar> lidars_;
   ros::NodeHandle host_;
-  std::vector<ros::Publisher> odometry_, poses_, twists_, imu_, camera_poses_, depth_, depth_info_,
+  std::vector<ros::Publisher> odometry_, poses_, twists_, imu_, transforms_, camera_poses_, depth_, depth_info_,
       clouds_, sweeps_, pictures_, picture_info_, goals_;
   std::vector<std::int64_t> goal_due_ns_;
   avoidbench::CurrentGoal goal_;

@@ -191,11 +191,13 @@ void publish(int topic, AnyMessage message, bool latched) {
   }
 }
 
-int subscribe(int topic, std::uint32_t limit, Deliver deliver) {
+namespace {
+
+int subscribe_by(Node* node, int topic, std::uint32_t limit, Deliver deliver) {
   Core& core = ros_shim::core();
   auto subscription = std::make_unique<Subscription>();
   subscription->topic = topic;
-  subscription->node = core.current;
+  subscription->node = node;
   subscription->limit = limit;
   subscription->deliver = std::make_shared<Deliver>(std::move(deliver));
   const int index = static_cast<int>(core.subscriptions.size());
@@ -204,6 +206,16 @@ int subscribe(int topic, std::uint32_t limit, Deliver deliver) {
   to.subscriptions.push_back(index);
   if (to.latched) enqueue(core, index, {to.latched, to.latched_by, core.now_ns});
   return index;
+}
+
+}  // namespace
+
+int subscribe(int topic, std::uint32_t limit, Deliver deliver) {
+  return subscribe_by(core().current, topic, limit, std::move(deliver));
+}
+
+int subscribe_at_once(int topic, Deliver deliver) {
+  return subscribe_by(core().nodes.front().get(), topic, 0, std::move(deliver));
 }
 
 void unsubscribe(int subscription) {

@@ -18,6 +18,7 @@
 #include "sensor_msgs/Image.h"
 #include "sensor_msgs/Imu.h"
 #include "sensor_msgs/PointCloud2.h"
+#include "tf2_msgs/TFMessage.h"
 
 namespace ros_shim {
 namespace {
@@ -146,6 +147,11 @@ void require_sensors(const PlannerSpec& spec, const std::vector<ab_camera>& came
       fail_topic(topics.front().topic, "is of a camera, and the sensor has none");
     }
   };
+  for (const TransformTopic& one : spec.transforms) {
+    if (one.camera_frame.empty() || one.camera < cameras.size()) continue;
+    fail_topic(one.topic, "there is no camera " + std::to_string(one.camera) + ": the sensor has " +
+                              std::to_string(cameras.size()) + ", counted from 0");
+  }
   require_cameras(spec.camera_poses);
   require_cameras(spec.depth);
   require_cameras(spec.clouds);
@@ -176,6 +182,7 @@ Observations::Observations(const PlannerSpec& spec, const ab_setup& setup,
   poses_ = advertised<geometry_msgs::PoseStamped>(host_, spec.poses);
   twists_ = advertised<geometry_msgs::TwistStamped>(host_, spec.twists);
   imu_ = advertised<sensor_msgs::Imu>(host_, spec.imu);
+  transforms_ = advertised<tf2_msgs::TFMessage>(host_, spec.transforms);
   depth_ = advertised<sensor_msgs::Image>(host_, spec.depth);
   pictures_ = advertised<sensor_msgs::Image>(host_, spec.pictures);
   clouds_ = advertised<sensor_msgs::PointCloud2>(host_, spec.clouds);
@@ -274,8 +281,33 @@ void Observations::publish(const ab_observation& seen, std::int64_t to_ns) {
   ++sequence_;
 }
 
+void Observations::publish_transforms(const ab_state& state) {
+  const auto add = [&](tf2_msgs::TFMessage& message, const std::string& frame,
+                       const std::string& child, const double(&position_m)[3],
+                       const double(&q)[4]) {
+    geometry_msgs::TransformStamped one;
+    one.header = header_of(sequence_, state.time_s, frame);
+    one.child_frame_id = child;
+    set_xyz(one.transform.translation, position_m);
+    one.transform.rotation = pose_of(position_m, q).orientation;
+    message.transforms.push_back(one);
+  };
+  for (std::size_t k = 0; k < transforms_.size(); ++k) {
+    const TransformTopic& topic = spec_->transforms[k];
+    tf2_msgs::TFMessage message;
+    add(message, topic.frame, topic.child_frame, state.position_world_m, state.q_world_body);
+    if (!topic.camera_frame.empty()) {
+      const ab_camera& camera = cameras_[topic.camera];
+      add(message, topic.child_frame, topic.camera_frame, camera.position_body_m,
+          camera.q_body_camera);
+    }
+    transforms_[k].publish(message);
+  }
+}
+
 void Observations::publish_state(const ab_state& state, StateTopics which) {
   const bool all = which == StateTopics::of_all_states;
+  if (!all) publish_transforms(state);
   const avoidbench::Vec3 world{state.velocity_world_mps[0], state.velocity_world_mps[1],
                                state.velocity_world_mps[2]};
   const double q_body_world[4] = {state.q_world_body[0], -state.q_world_body[1],

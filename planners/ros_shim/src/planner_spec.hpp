@@ -44,6 +44,11 @@ struct PoseTopic {
   std::string topic, frame;
   bool all_states = false;
 };
+/// The vehicle in the world, and a camera on the vehicle where it has a name.
+struct TransformTopic {
+  std::string topic, frame, child_frame, camera_frame;
+  std::uint32_t camera = 0;
+};
 enum class PoseType { pose_stamped, odometry, transform_stamped };
 struct CameraPoseTopic {
   std::string topic, frame;
@@ -97,6 +102,7 @@ struct PlannerSpec {
   double lead_s = 0.0;
   std::vector<OdometryTopic> odometry;
   std::vector<PoseTopic> poses, twists, imu;
+  std::vector<TransformTopic> transforms;
   std::vector<CameraPoseTopic> camera_poses;
   std::vector<DepthTopic> depth;
   std::vector<CloudTopic> clouds;

@@ -71,6 +71,8 @@ void publish(int topic, AnyMessage message, bool latched);
 /// The number of the subscription. Of its messages at most `limit` wait (0: any number); then the
 /// oldest is dropped.
 int subscribe(int topic, std::uint32_t limit, Deliver deliver);
+/// Its callback runs within publish(), whether the node spins or not.
+int subscribe_at_once(int topic, Deliver deliver);
 void unsubscribe(int subscription);
 std::size_t subscriber_count(int topic);
 std::size_t publisher_count(int topic);
