@@ -38,8 +38,8 @@ class Observations {
   std::vector<ab_camera> cameras_;
   std::vector<ab_lidar> lidars_;
   ros::NodeHandle host_;
-  std::vector<ros::Publisher> odometry_, poses_, twists_, imu_, transforms_, camera_poses_, depth_, depth_info_,
-      clouds_, sweeps_, pictures_, picture_info_, goals_;
+  std::vector<ros::Publisher> odometry_, poses_, twists_, imu_, transforms_, camera_poses_, depth_,
+      depth_info_, clouds_, sweeps_, pictures_, picture_info_, goals_;
   std::vector<std::int64_t> goal_due_ns_;
   avoidbench::CurrentGoal goal_;
   std::uint32_t sequence_ = 0;

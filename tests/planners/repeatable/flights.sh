@@ -3,6 +3,7 @@
 # workers on a busy machine, and others where computing costs more.
 set -euo pipefail
 program=$1 planner=$2
+# shellcheck source-path=SCRIPTDIR source=../support/same_rows.sh
 source "$(dirname "$0")/../support/same_rows.sh"
 cat > hall.yaml <<YAML
 sweep: anytime
@@ -16,7 +17,7 @@ latency: {mode: fixed, ms: 33}
 mission: {time_limit_s: 60}
 YAML
 (while :; do :; done) & busy=$!
-same_rows hall.yaml
+same_rows "$program" hall.yaml
 kill "$busy"
 sed 's/label: anytime/&, parameters: {compute_clock_us: 4}/' hall.yaml > dear.yaml
 "$program" run dear.yaml --db dear.db --quiet

@@ -3,6 +3,7 @@
 # the same rows, and stored trials fly again bit for bit.
 set -euo pipefail
 program=$1 planner=$2
+# shellcheck source-path=SCRIPTDIR source=../support/same_rows.sh
 source "$(dirname "$0")/../support/same_rows.sh"
 cat > hall.yaml <<YAML
 sweep: ros_example
@@ -20,6 +21,6 @@ sensor: {preset: depth_ideal, width_px: 160, height_px: 120}
 latency: {mode: fixed, ms: 33}
 mission: {time_limit_s: 60}
 YAML
-same_rows hall.yaml
+same_rows "$program" hall.yaml
 reached=$(sqlite3 one.db "SELECT count(*) FROM trials WHERE finished = 1")
 [ "$reached" -eq 4 ] || { echo "$reached of 4 flights reached the goal" >&2; exit 1; }

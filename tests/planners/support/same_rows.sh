@@ -1,12 +1,15 @@
-# Sourced by scripts of tests, which have $program: goes to a folder that goes at the end.
+# shellcheck shell=bash
+# Sourced by scripts of tests: goes to a folder that goes at the end.
 folder=$(mktemp -d)
-trap 'rm -rf "$folder"; kill "${busy:-}" 2>/dev/null || true' EXIT
-cd "$folder"
+busy=""  # a process that ends with the script
+trap 'rm -rf "$folder"; [ -z "$busy" ] || kill "$busy" 2>/dev/null || true' EXIT
+cd "$folder" || exit
 
-# same_rows SWEEP: one and two workers give the same rows, one.db and two.db, and stored trials fly again bit for bit.
+# same_rows PROGRAM SWEEP: one and two workers give the same rows, one.db and two.db, and stored trials fly again bit for
+# bit.
 same_rows() {
-  "$program" run "$1" --jobs 1 --db one.db --quiet
-  "$program" run "$1" --jobs 2 --db two.db --quiet
-  "$program" compare one.db two.db --exact
-  "$program" replay one.db --verify
+  "$1" run "$2" --jobs 1 --db one.db --quiet
+  "$1" run "$2" --jobs 2 --db two.db --quiet
+  "$1" compare one.db two.db --exact
+  "$1" replay one.db --verify
 }

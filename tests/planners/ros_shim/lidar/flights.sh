@@ -4,6 +4,7 @@
 # without a lidar is refused.
 set -euo pipefail
 program=$1 planner=$2
+# shellcheck source-path=SCRIPTDIR source=../../support/same_rows.sh
 source "$(dirname "$0")/../../support/same_rows.sh"
 cat > hall.yaml <<YAML
 sweep: ros_lidar
@@ -18,7 +19,7 @@ latency: {mode: fixed, ms: 33}
 mission: {time_limit_s: 60}
 YAML
 "$program" planners describe "$planner" | grep -q points || { echo "it does not declare points" >&2; exit 1; }
-same_rows hall.yaml
+same_rows "$program" hall.yaml
 reached=$(sqlite3 one.db "SELECT count(*) FROM trials WHERE finished = 1")
 [ "$reached" -eq 2 ] || { sqlite3 one.db "SELECT outcome, reason FROM trials" >&2; exit 1; }
 # Points of a lidar that does not de-skew are placed as if it had stood still: the node flies by them all the same.
