@@ -105,10 +105,10 @@ class LiveFile:
         self.leaves = topics_spec.leaves(values["params"], "/", expressions) if "params" in values else []
         for node in self.nodes:
             self.leaves += node.parameters
-        self.published = topics_spec.all_published(values["publish"])
+        self.published = topics_spec.all_published(values["publish"], expressions)
         for one in self.published:
-            if one["kind"] == "tf":
-                raise one["place"].problem("tf is for ros_shim alone: with real nodes start one that publishes it")
+            if one["kind"] in ("tf", "message"):
+                raise one["place"].problem(f"{one['kind']} is for ros_shim alone: start a node that publishes it")
         self.command = topics_spec.CommandSpec(values["command"])
         self.notes = []
         self._check_nodes(tree)

@@ -175,6 +175,24 @@ def publish_line(one):
     return f"  spec.pictures.push_back({{{topic}, {frame}, {info}, {eye}, {camera}}});"
 
 
+def message_lines(index, one, topics):
+    """The function that advertises a message of any type and gives what publishes it. What is wrong with a field the
+    compiler says with its line in the topics file."""
+    kind = one["type"].replace("/", "::")
+    lines = [
+        "",
+        f"std::function<void()> advertise_{index}(ros::NodeHandle& host, const Given& given) {{",
+        f"  const ros::Publisher publisher = host.advertise<{kind}>({quoted(one['topic'])}, 1, true);",
+        "  return [publisher, &given] {",
+        "    static_cast<void>(given);",
+        f"    {kind} message;",
+        f"    stamp(message, {quoted(one['frame'])});",
+    ]
+    for path, value, line in one["fields"]:
+        lines += [f"#line {line} {quoted(str(topics))}", f"    assign(message.{path}, {value_cpp(value)});"]
+    return [*lines, "    publisher.publish(message);", "  };", "}"]
+
+
 class Command(topics_spec.CommandSpec):
     def __init__(self, tree):
         super().__init__(tree)
@@ -232,9 +250,16 @@ class Planner:
         self.packages = (
             [(key, value.text()) for key, _, value in values["packages"].items()] if "packages" in values else []
         )
-        published = topics_spec.all_published(values["publish"])
+        published = topics_spec.all_published(values["publish"], expressions)
         self.needs = {f"AB_INPUT_{what.upper()}" for what in topics_spec.seen_of(published)}
-        self.published = [publish_line(one) for one in published]
+        self.messages = [one for one in published if one["kind"] == "message"]
+        self.published = [publish_line(one) for one in published if one["kind"] != "message"]
+        self.published += [
+            f"  spec.messages.push_back({{{quoted(one['topic'])}, {str(one['when'] == 'start').lower()}, "
+            f"{real(one['every_s'])}, &advertise_{index}}});"
+            for index, one in enumerate(self.messages)
+        ]
+        self.topics = topics
         self.command = Command(values["command"])
 
     def cpp(self):
@@ -245,9 +270,13 @@ class Planner:
             "#include <cmath>",
             "#include <limits>",
             "",
-            f'#include "{self.command.type}.h"',
+            *[
+                f'#include "{type_}.h"'
+                for type_ in sorted({self.command.type, *(one["type"] for one in self.messages)})
+            ],
             '#include "avoidbench/repeatable.hpp"',
             '#include "planner_spec.hpp"',
+            '#include "ros_shim/assign.h"',
             '#include "ros_shim/callback.h"',
             "",
         ]
@@ -262,6 +291,8 @@ class Planner:
         lines += [f"    avoidbench::compute_clock_parameter({real(self.compute_clock_us)}),", "};"]
         pointers = ", ".join(f"&parameters[{index}]" for index in range(count))
         lines += [f"const ab_parameter* const parameter_pointers[{count}] = {{{pointers}}};"]
+        for index, one in enumerate(self.messages):
+            lines += message_lines(index, one, self.topics)
         lines += [
             "",
             "void set_parameters(const Given& given) {",

@@ -46,6 +46,7 @@ PUBLISH = {
     "right": (["info", "camera"], "stereo"),
     "color": (["info", "camera"], "color"),
     "goal": (["type", "repeat_s"], "goals"),
+    "message": (["type", "fields", "when", "every_s"], "state"),  # with `when: goal` it sees goals
 }
 FRAMES = {"imu": "body", "twist": "world", "depth": "camera", "left": "camera", "right": "camera", "color": "camera"}
 POSE_TYPES = ("geometry_msgs/PoseStamped", "nav_msgs/Odometry", "geometry_msgs/TransformStamped")
@@ -242,7 +243,34 @@ def _cloud(values, found):
             found["frame"] = found["points_in"]
 
 
-def published(kind, tree):
+def _fields(tree, prefix, expressions):
+    """(path of a message's field, value, line of the file) of each leaf."""
+    found = []
+    for key, place, value in tree.items():
+        if not re.fullmatch(r"[A-Za-z][A-Za-z0-9_]*", key):
+            raise place.problem(f'"{shown(key)}" is no name of a field')
+        if value.is_map():
+            found += _fields(value, f"{prefix}{key}.", expressions)
+        else:
+            found.append((prefix + key, value_of(value, expressions), place.node.start_mark.line + 1))
+    return found
+
+
+def _message(values, found, expressions):
+    """The keys of a message of any type."""
+    if "type" not in values:
+        raise found["place"].problem("a message has a type")
+    found["type"] = values["type"].text()
+    if not TYPE.fullmatch(found["type"]):
+        raise values["type"].problem(f'"{found["type"]}" is no type of a message, as geometry_msgs/Twist')
+    found["fields"] = _fields(values["fields"], "", expressions) if "fields" in values else []
+    found["when"] = values["when"].word(["goal", "start"]) if "when" in values else "goal"
+    found["every_s"] = float(values["every_s"].number(1e-3, 1e6)) if "every_s" in values else 0.0
+    if found["when"] == "goal":
+        found["sees"] = "goals"
+
+
+def published(kind, tree, expressions):
     """One topic of `publish`: its keys by name, presets for those that are not there; `place` is the topic's."""
     values = tree.map(["topic", "frame", *PUBLISH[kind][0]])
     if "topic" not in values:
@@ -274,16 +302,18 @@ def published(kind, tree):
     elif kind == "goal":
         found["type"] = values["type"].word(GOAL_TYPES) if "type" in values else GOAL_TYPES[0]
         found["repeat_s"] = float(values["repeat_s"].number(0)) if "repeat_s" in values else 0.0
+    elif kind == "message":
+        _message(values, found, expressions)
     return found
 
 
-def all_published(tree):
+def all_published(tree, expressions):
     """All topics of `publish`, in the file's order."""
     found = []
     for kind, place, value in tree.items():
         if kind not in PUBLISH:
             raise place.problem(f'"{kind}" is none of {", ".join(PUBLISH)}')
-        found += [published(kind, one) for one in value.list()]
+        found += [published(kind, one, expressions) for one in value.list()]
     return found
 
 

@@ -162,7 +162,7 @@ Flight::Flight(const ab_host& host, const ab_setup& setup, const ab_mission& mis
   };
   for (const auto& [package, folder] : spec_.packages) core.packages[package] = folder;
   try {
-    observations_ = std::make_unique<Observations>(spec_, setup, mission);
+    observations_ = std::make_unique<Observations>(spec_, setup, mission, given);
     commands_ = std::make_unique<Commands>(spec_.command, setup);
     ros::NodeHandle node;
     command_ = spec_.subscribe(node, spec_.command,

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -14,7 +16,11 @@ namespace ros_shim {
 class Observations {
  public:
   /// Throws std::runtime_error where a topic is of a lidar or a camera that the sensor lacks.
-  Observations(const PlannerSpec& spec, const ab_setup& setup, const ab_mission& mission);
+  Observations(const PlannerSpec& spec, const ab_setup& setup, const ab_mission& mission,
+               Given given = {});
+  // Messages refer to what is given.
+  Observations(const Observations&) = delete;
+  Observations& operator=(const Observations&) = delete;
   /// Publishes what is seen, at the present time; IMU samples and earlier states at theirs, for
   /// which it lets the nodes go on. `start`: no observation yet, the vehicle hovers at the
   /// mission's start.
@@ -32,15 +38,18 @@ class Observations {
   void publish_sweep(const ab_cloud& sweep);
   void publish_picture(const ab_picture& picture, int eye);
   void publish_goals();
+  void publish_messages(bool are_starting);
 
   const PlannerSpec* spec_;
   ab_mission mission_;
+  Given given_;
   std::vector<ab_camera> cameras_;
   std::vector<ab_lidar> lidars_;
   ros::NodeHandle host_;
   std::vector<ros::Publisher> odometry_, poses_, twists_, imu_, transforms_, camera_poses_, depth_,
       depth_info_, clouds_, sweeps_, pictures_, picture_info_, goals_;
-  std::vector<std::int64_t> goal_due_ns_;
+  std::vector<std::function<void()>> messages_;
+  std::vector<std::int64_t> goal_due_ns_, message_due_ns_;
   avoidbench::CurrentGoal goal_;
   std::uint32_t sequence_ = 0;
   bool sees_states_ = false;

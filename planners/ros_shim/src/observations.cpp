@@ -4,6 +4,7 @@
 #include <initializer_list>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "avoidbench/planner.hpp"
 #include "avoidbench/portable_math.hpp"
@@ -170,8 +171,8 @@ void require_sensors(const PlannerSpec& spec, const std::vector<ab_camera>& came
 std::int64_t ros_time_ns(double time_s) { return kStart_ns + nanoseconds_of(time_s); }
 
 Observations::Observations(const PlannerSpec& spec, const ab_setup& setup,
-                           const ab_mission& mission)
-    : spec_(&spec), mission_(mission) {
+                           const ab_mission& mission, Given given)
+    : spec_(&spec), mission_(mission), given_(std::move(given)) {
   for (std::uint32_t i = 0; i < setup.camera_count; ++i) cameras_.push_back(*setup.cameras[i]);
   // Hosts that know of points know of lidars.
   for (std::uint32_t i = 0; !spec.sweeps.empty() && i < setup.lidar_count; ++i) {
@@ -209,6 +210,10 @@ Observations::Observations(const PlannerSpec& spec, const ab_setup& setup,
                          ? host_.advertise<nav_msgs::Path>(one.topic, 1)
                          : host_.advertise<geometry_msgs::Pose>(one.topic, 1));
   }
+  for (const MessageTopic& one : spec.messages) {
+    messages_.push_back(one.advertise(host_, given_));
+  }
+  message_due_ns_.assign(spec.messages.size(), 0);
   goal_.reset(mission);
   goal_due_ns_.assign(spec.goals.size(), 0);
   const auto wants_all = [](const auto& topic) { return topic.all_states; };
@@ -227,6 +232,7 @@ void Observations::publish_start() {
   state.q_world_body[3] = avoidbench::portable::sin(half);
   publish_state(state, StateTopics::of_the_newest);
   publish_state(state, StateTopics::of_all_states);
+  publish_messages(true);
 }
 
 /// What was sampled since the last call, each at its own time, for which the nodes go on.
@@ -276,8 +282,17 @@ void Observations::publish(const ab_observation& seen, std::int64_t to_ns) {
     for (std::uint32_t i = seen.cloud_count; i-- > 0;) publish_sweep(*seen.clouds[i]);
   }
   // Another goal, or one that has moved, is sent at once.
-  if (goal_.update(seen)) goal_due_ns_.assign(goals_.size(), 0);
+  if (goal_.update(seen)) {
+    goal_due_ns_.assign(goals_.size(), 0);
+    for (std::size_t k = 0; k < messages_.size(); ++k) {
+      if (!spec_->messages[k].at_start) message_due_ns_[k] = 0;
+    }
+  }
+  given_.goal_x_m = goal_.place_world_m()[0];
+  given_.goal_y_m = goal_.place_world_m()[1];
+  given_.goal_z_m = goal_.place_world_m()[2];
   publish_goals();
+  publish_messages(false);
   ++sequence_;
 }
 
@@ -449,6 +464,24 @@ void Observations::publish_picture(const ab_picture& picture, int eye) {
                                        baseline_m));
     }
     pictures_[k].publish(message);
+  }
+}
+
+void Observations::publish_messages(bool are_starting) {
+  for (std::size_t k = 0; k < messages_.size(); ++k) {
+    const MessageTopic& topic = spec_->messages[k];
+    if ((are_starting && !topic.at_start) || now_ns() < message_due_ns_[k]) continue;
+    // From when it was due, not from now: calls come at their own rate.
+    std::int64_t& due_ns = message_due_ns_[k];
+    const std::int64_t period_ns = nanoseconds_of(topic.every_s);
+    if (due_ns == 0) due_ns = now_ns();
+    due_ns = period_ns > 0 ? std::max(due_ns + period_ns, now_ns())
+                           : std::numeric_limits<std::int64_t>::max();
+    try {
+      messages_[k]();
+    } catch (const std::runtime_error& error) {
+      fail_topic(topic.topic, error.what());
+    }
   }
 }
 

@@ -88,6 +88,15 @@ struct GoalTopic {
   double repeat_s = 0.0;
 };
 
+/// A message of any type: a goal, a trigger, a heartbeat.
+struct MessageTopic {
+  std::string topic;
+  bool at_start = false;  ///< when the nodes start; else with the goal, again where that changes
+  double every_s = 0.0;   ///< from then on; 0: once
+  /// What publishes it, with the numbers that `given` has then.
+  std::function<void()> (*advertise)(ros::NodeHandle& host, const Given& given) = nullptr;
+};
+
 struct CommandForm {
   std::string topic;
   bool body_velocity = false;
@@ -109,6 +118,7 @@ struct PlannerSpec {
   std::vector<SweepTopic> sweeps;
   std::vector<PictureTopic> pictures;
   std::vector<GoalTopic> goals;
+  std::vector<MessageTopic> messages;
   CommandForm command;
   /// Puts the parameters of all nodes into the parameter server.
   void (*set_parameters)(const Given& given) = nullptr;

@@ -102,6 +102,20 @@ BAD_TOPICS = {
         "  cloud: {topic: /p, lidar: 0, stride_px: 2}",
     ): "5:43: stride_px is of a depth image's cloud, and this one is a lidar's",
     ("command: {topic: /cmd,", "command: {ahead: 1, topic: /cmd,"): '6:11: there is no "ahead" here',
+    ("  odometry: {topic: /odom}", "  message: {topic: /m}"): "5:20: a message has a type",
+    ("  odometry: {topic: /odom}", "  message: {topic: /m, type: Empty}"): '5:30: "Empty" is no type of a message',
+    (
+        "  odometry: {topic: /odom}",
+        "  message: {topic: /m, type: std_msgs/Empty, fields: {a b: 1}}",
+    ): '5:55: "a b" is no name of a field',
+    (
+        "  odometry: {topic: /odom}",
+        "  message: {topic: /m, type: std_msgs/Empty, when: soon}",
+    ): '5:52: "soon" is none of goal, start',
+    (
+        "  odometry: {topic: /odom}",
+        "  message: {topic: /m, type: std_msgs/Empty, every_s: 0}",
+    ): "5:55: 0 is not from 0.001 to ",
 }
 PARAMETER = "parameters: [{name: a, default: %s, lowest: %s, highest: 9, doc: d}]\nnodes:"
 ALIASES = "".join(f"      a{i}: &a{i} [{', '.join([f'*a{i - 1}'] * 10)}]\n" for i in range(1, 9))
@@ -230,6 +244,19 @@ with tempfile.TemporaryDirectory() as name:
     made = (folder / "made/good_planner.cpp").read_text()
     expect("a cloud of a depth image", "AB_INPUT_DEPTH | AB_INPUT_STATE, " in made, made)
     expect("is none of a lidar", 'spec.clouds.push_back({"/a", "world", 2, 0});' in made, made)
+    fields = 'message: {topic: /m, type: own_msgs/Set, fields: {id: 1,\n     to: {x: "${goal_x_m}"}, names: [a]}}'
+    topics.write_text(GOOD_TOPICS.replace("odometry: {topic: /odom}", fields))
+    code, said, _ = run("make_planner.py", *words)
+    made = (folder / "made/good_planner.cpp").read_text()
+    for line in (
+        '#include "own_msgs/Set.h"',
+        f'#line 5 "{topics}"\n    assign(message.id, Value(1));',
+        f'#line 6 "{topics}"\n    assign(message.to.x, Value(given.goal_x_m));',
+        'assign(message.names, Value::list_of({Value(std::string("a"))}));',
+        'spec.messages.push_back({"/m", false, 0.0, &advertise_0});',
+    ):
+        expect(line, code == 0 and line in made, said + made)
+    expect("a message with the goal sees goals", "AB_INPUT_GOALS" in made, made)
     source.write_text("int Main() {}  // int main(int argc, char** argv)\n")
     code, said, _ = run("make_planner.py", *words)
     expect("a source without main()", code == 1 and "has no int main(" in said, said)

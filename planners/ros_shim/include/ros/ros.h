@@ -4,6 +4,20 @@
 // What a ROS 1 planner uses of roscpp, over avoidbench's simulated time: one thread, no master, no
 // network, the same order of callbacks in every run. See docs/ros.md.
 
+// What roscpp's headers bring along.
+#include <climits>
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
+#include <iomanip>
+#include <iostream>
+#include <list>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
 #include "ros/assert.h"
 #include "ros/console.h"
 #include "ros/duration.h"

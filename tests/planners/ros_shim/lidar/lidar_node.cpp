@@ -9,6 +9,7 @@
 #include <ros/ros.h>
 #include <sensor_msgs/PointCloud2.h>
 #include <sensor_msgs/point_cloud2_iterator.h>
+#include <std_msgs/UInt8MultiArray.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,12 +20,25 @@ nav_msgs::OdometryConstPtr last_odometry;
 pcl::PointCloud<pcl::PointXYZI> in_world;
 geometry_msgs::Point goal;
 bool has_goal = false;
-int heard = 0, compared = 0;
+int heard = 0, compared = 0, beats = 0;
 ros::Publisher commands;
 
 void take_goal(const geometry_msgs::PoseStampedConstPtr& message) {
   goal = message->pose.position;
   has_goal = true;
+}
+
+/// As the topics file writes it.
+void take_target(const nav_msgs::OdometryConstPtr& target) {
+  ROS_ASSERT(target->header.frame_id == "map" && target->child_frame_id == "target");
+  ROS_ASSERT(target->header.stamp.toSec() >= 100.0);
+  ROS_ASSERT(target->pose.pose.position.x == goal.x && target->pose.pose.position.y == goal.y);
+  ROS_ASSERT(target->pose.covariance[0] == 1.0 && target->pose.covariance[35] == 3.0);
+}
+
+void take_beat(const std_msgs::UInt8MultiArrayConstPtr& beat) {
+  ROS_ASSERT(beat->data.size() == 2 && beat->data[1] == 8);
+  ++beats;
 }
 
 void take_world(const sensor_msgs::PointCloud2ConstPtr& cloud) {
@@ -65,6 +79,8 @@ void take_body(const sensor_msgs::PointCloud2ConstPtr& cloud) {
 void take_odometry(const nav_msgs::OdometryConstPtr& odometry) {
   last_odometry = odometry;
   if (!has_goal) return;
+  // Since two seconds before the trial, ten times a second.
+  ROS_ASSERT_MSG(heard != 29 || (beats > 26 && beats < 33), "%d beats", beats);
   ROS_ASSERT_MSG(++heard < 30 || compared > 5, "%d sweeps in %d calls", compared, heard);
   const geometry_msgs::Point& place = odometry->pose.pose.position;
   double x = goal.x - place.x, y = goal.y - place.y;
@@ -98,6 +114,8 @@ int main(int argc, char** argv) {
   ROS_ASSERT_MSG(range_m == 70.0 && above_m == 0.1, "parameters of mid360_like, not %f and %f",
                  range_m, above_m);
   commands = node.advertise<geometry_msgs::TwistStamped>("/cmd_vel", 1);
+  const ros::Subscriber targets = node.subscribe("/target", 1, take_target);
+  const ros::Subscriber beating = node.subscribe("/beat", 1, take_beat);
   const ros::Subscriber goals = node.subscribe("/goal", 1, take_goal);
   const ros::Subscriber body = node.subscribe("/points_body", 1, take_body);
   const ros::Subscriber world = node.subscribe("/points", 1, take_world);
