@@ -110,9 +110,10 @@ struct Core {
 
 /// The one of this copy.
 Core& core();
-/// Whether there is none: before a trial and after it.
+/// Whether there is no core: before a trial and after it.
 bool is_over();
-/// Makes it anew; null ends it. Clocks stand at its time, and each look at them takes `look_ns`.
+/// Sets the core of a new trial; null ends it. Clocks stand at its time, and each look at them
+/// takes `look_ns`.
 void set_core(std::unique_ptr<Core> fresh, std::int64_t look_ns = 1000, std::uint64_t seed = 0);
 
 /// Adds a node whose main begins when the clock next advances.
@@ -132,6 +133,8 @@ void end_nodes();
 /// Of the node that runs: back to the scheduler until that time, or the first callback where it
 /// takes them.
 void wait(std::int64_t wake_ns, bool takes_callbacks);
+/// As wait(), for one turn: where the node spins in the background its callbacks run meanwhile.
+void wait_a_turn(Core& core, std::int64_t wake_ns);
 /// The first callback in the node's queue.
 void run_one_callback(Node& node);
 void answer_call(Core& core, ServiceCall& call);

@@ -49,18 +49,22 @@ std::int64_t clock_ns() {
   return avoidbench::look_at_clock_ns();
 }
 
+void wait_a_turn(Core& core, std::int64_t wake_ns) {
+  Node& node = *core.current;
+  const bool in_background = node.background_spinners > 0;
+  if (in_background && !node.queue.empty()) {
+    run_one_callback(node);
+  } else {
+    wait(wake_ns, in_background);
+  }
+}
+
 void sleep_until_ns(std::int64_t time_ns) {
   const auto is_past = [&] { return core().now_ns >= time_ns; };
   Core& core = ros_shim::core();
   while (is_running() && !is_past()) {
-    Node& node = *core.current;
-    if (!node.fibre) return;
-    const bool in_background = node.background_spinners > 0;
-    if (in_background && !node.queue.empty()) {
-      run_one_callback(node);
-    } else {
-      wait(time_ns, in_background);
-    }
+    if (!core.current->fibre) return;
+    wait_a_turn(core, time_ns);
   }
   // A loop that does not ask ros::ok() is still seen by the scheduler.
   if (!is_running()) wait(time_ns, false);

@@ -24,17 +24,6 @@ struct CallerWaits {
   ServiceCall& call_;
 };
 
-/// The node that runs waits; its callbacks run meanwhile where it spins in the background.
-void wait_a_turn(Core& core, std::int64_t wake_ns) {
-  Node& node = *core.current;
-  const bool in_background = node.background_spinners > 0;
-  if (in_background && !node.queue.empty()) {
-    run_one_callback(node);
-  } else {
-    wait(wake_ns, in_background);
-  }
-}
-
 }  // namespace
 
 int offer_service(const std::string& name, const char* request_type, Answer answer) {

@@ -81,7 +81,7 @@ class Buffer {
   }
   bool _frameExists(const std::string& frame) const { return frames_->exists(frame); }
   void clear() { *frames_ = ros_shim::Frames(frames_->kept_ns()); }
-  /// Other nodes' messages come while this one waits: nothing to be told.
+  /// Has no effect: a listener always hears other nodes while its own waits.
   void setUsingDedicatedThread(bool) {}
   bool isUsingDedicatedThread() const { return true; }
 
