@@ -5,30 +5,26 @@
 
 #include <cstring>
 
+#include "conformance/conformance_flight.hpp"
 #include "plugin/bad_planners.hpp"
 #include "plugin/planner_table.hpp"
 
 namespace avoidbench {
 namespace {
 
-PlannerSetup setup() {
-  PlannerSetup made;
-  made.plan_period_s = 0.1;
-  return made;
-}
-
-PlannerInstance instance_of(const std::string& name) {
+PlannerInstance pilot_instance(const std::string& name) {
   const PlannerLibrary library = PlannerLibrary::load(bad_planner(name));
-  return PlannerInstance(library, setup(), resolve_parameters(library.description(), {}));
+  return PlannerInstance(library, conformance_setup(),
+                         resolve_parameters(library.description(), {}));
 }
 
-PlannerMission mission() {
+PlannerMission pilot_mission() {
   PlannerMission made;
   made.goal_world = {10.0, 0.0, 0.0};
   return made;
 }
 
-PlannerView view() {
+PlannerView pilot_view() {
   PlannerView made;
   made.position_world = made.velocity_world = made.rates_body = Eigen::Vector3d::Zero();
   made.q_world_body.setIdentity();
@@ -36,19 +32,19 @@ PlannerView view() {
 }
 
 TEST(Pilot, OfAPlannerAloneIsThatPlanner) {
-  PlannerInstance planner = instance_of("honest");
+  PlannerInstance planner = pilot_instance("honest");
   const Pilot pilot = planner;
   EXPECT_EQ(needs(pilot), planner.needs());
-  ASSERT_EQ(reset(pilot, mission()), "");
-  EXPECT_EQ(plan(pilot, view()).command.velocity_world_mps[0], 1.0);
+  ASSERT_EQ(reset(pilot, pilot_mission()), "");
+  EXPECT_EQ(plan(pilot, pilot_view()).command.velocity_world_mps[0], 1.0);
 }
 
 TEST(Pilot, GivesTheFiltersAnswerAndTheTimesOfBoth) {
-  PlannerInstance planner = instance_of("honest"), filter = instance_of("honest_filter");
+  PlannerInstance planner = pilot_instance("honest"), filter = pilot_instance("honest_filter");
   const Pilot pilot(planner, &filter);
   EXPECT_EQ(needs(pilot), planner.needs() | filter.needs());
-  ASSERT_EQ(reset(pilot, mission()), "");
-  const PlanResult result = plan(pilot, view());
+  ASSERT_EQ(reset(pilot, pilot_mission()), "");
+  const PlanResult result = plan(pilot, pilot_view());
   EXPECT_EQ(result.status, PlanStatus::command);
   EXPECT_EQ(result.command.kind, AB_COMMAND_VELOCITY);
   EXPECT_EQ(result.command.velocity_world_mps[0], 1.0);
@@ -56,13 +52,14 @@ TEST(Pilot, GivesTheFiltersAnswerAndTheTimesOfBoth) {
 }
 
 TEST(Pilot, PassesTrajectoriesOnWithAllTheirPoints) {
-  PlannerInstance planner = instance_of("long_trajectories"), filter = instance_of("honest_filter");
-  ASSERT_EQ(reset(planner, mission()), "");
-  const PlanResult wanted = plan(planner, view());
+  PlannerInstance planner = pilot_instance("long_trajectories"),
+                  filter = pilot_instance("honest_filter");
+  ASSERT_EQ(reset(planner, pilot_mission()), "");
+  const PlanResult wanted = plan(planner, pilot_view());
   ASSERT_GT(wanted.points.size(), 1U);
   const Pilot pilot(planner, &filter);
-  ASSERT_EQ(reset(pilot, mission()), "");
-  const PlanResult result = plan(pilot, view());
+  ASSERT_EQ(reset(pilot, pilot_mission()), "");
+  const PlanResult result = plan(pilot, pilot_view());
   ASSERT_EQ(result.points.size(), wanted.points.size());
   EXPECT_EQ(std::memcmp(result.points.data(), wanted.points.data(),
                         wanted.points.size() * sizeof(ab_point)),
@@ -70,26 +67,28 @@ TEST(Pilot, PassesTrajectoriesOnWithAllTheirPoints) {
 }
 
 TEST(Pilot, SaysWhoseAnErrorIs) {
-  PlannerInstance honest = instance_of("honest"), fails = instance_of("nan_command"),
-                  filter = instance_of("honest_filter"), strict = instance_of("needs_wanted");
+  PlannerInstance honest = pilot_instance("honest"), fails = pilot_instance("nan_command"),
+                  filter = pilot_instance("honest_filter"), strict = pilot_instance("needs_wanted");
   const Pilot of_planner(fails, &filter);
-  ASSERT_EQ(reset(of_planner, mission()), "");
-  const PlanResult of_planners = plan(of_planner, view());
+  ASSERT_EQ(reset(of_planner, pilot_mission()), "");
+  const PlanResult of_planners = plan(of_planner, pilot_view());
   EXPECT_EQ(of_planners.status, PlanStatus::error);
   EXPECT_THAT(of_planners.reason, testing::StartsWith("planner honest: velocity_world_mps"));
-  // A planner that no sweep would put there: it sees no command and gives one that the filter's
-  // table does not declare.
-  ASSERT_EQ(strict.reset(mission()), "");
-  EXPECT_EQ(strict.plan(view(), nullptr).status, PlanStatus::error);
+  // It fails where the planner has no plan; this one always has one.
+  const Pilot of_filter(honest, &strict);
+  ASSERT_EQ(reset(of_filter, pilot_mission()), "");
+  EXPECT_EQ(plan(of_filter, pilot_view()).status, PlanStatus::command);
+  ASSERT_EQ(strict.reset(pilot_mission()), "");
+  EXPECT_EQ(strict.plan(pilot_view()).reason, "no command to pass on");
 }
 
 TEST(Pilot, ShowsAFilterNoCommandWhereThePlannerHasNone) {
-  PlannerInstance filter = instance_of("honest_filter");
-  ASSERT_EQ(filter.reset(mission()), "");
+  PlannerInstance filter = pilot_instance("honest_filter");
+  ASSERT_EQ(filter.reset(pilot_mission()), "");
   PlanResult nothing;
   nothing.status = PlanStatus::no_plan;
-  EXPECT_EQ(filter.plan(view(), &nothing).status, PlanStatus::no_plan);
-  EXPECT_EQ(filter.plan(view()).status, PlanStatus::no_plan);
+  EXPECT_EQ(filter.plan(pilot_view(), &nothing).status, PlanStatus::no_plan);
+  EXPECT_EQ(filter.plan(pilot_view()).status, PlanStatus::no_plan);
 }
 
 TEST(Filter, IsRefusedWhereItCanNotFly) {

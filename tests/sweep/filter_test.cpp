@@ -19,8 +19,8 @@ PluginChoice slow_down(double share, const std::string& way = "honest") {
   choice.label = filter.name;
   choice.file_digest = filter.file_digest;
   choice.needs = filter.needs;
-  choice.parameters = {{.name = "share", .number = share},
-                       {.name = "way", .text = way, .is_text = true}};
+  choice.parameters = {{.name = "share", .number = share, .text = {}},
+                       {.name = "way", .number = 0.0, .text = way, .is_text = true}};
   return choice;
 }
 
