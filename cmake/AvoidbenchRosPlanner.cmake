@@ -5,12 +5,10 @@
 # NEEDS: opencv (cv_bridge), pcl (the real one; stand-ins of its points and clouds are there without), or targets to
 # link. FOLDER: where <name>.so goes instead of planners/ of the build tree; it is not installed then.
 include(GNUInstallDirs)
-if(EXISTS ${CMAKE_CURRENT_LIST_DIR}/ros_shim/make_planner.py)
-  set(AVOIDBENCH_ROS_SHIM ${CMAKE_CURRENT_LIST_DIR}/ros_shim CACHE INTERNAL "Folder of the stand-ins for ROS 1")
-else()
-  get_filename_component(folder ${CMAKE_CURRENT_LIST_DIR}/../planners/ros_shim ABSOLUTE)
-  set(AVOIDBENCH_ROS_SHIM ${folder} CACHE INTERNAL "Folder of the stand-ins for ROS 1")
+if(NOT AVOIDBENCH_ROS_SHIM)  # in the sources; avoidbench-config.cmake knows where it is installed
+  get_filename_component(AVOIDBENCH_ROS_SHIM ${CMAKE_CURRENT_LIST_DIR}/../planners/ros_shim ABSOLUTE)
 endif()
+set(AVOIDBENCH_ROS_SHIM ${AVOIDBENCH_ROS_SHIM} CACHE INTERNAL "Folder of the stand-ins for ROS 1")
 
 # Runs a script of the shim now; what it reads starts CMake again when it changes.
 function(avoidbench_ros_script what)
@@ -45,7 +43,9 @@ function(avoidbench_ros_runtime)
   target_compile_options(avoidbench_ros_headers INTERFACE -ffp-contract=off -fno-math-errno -fvisibility=hidden
                          $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-fno-gnu-unique>)
 
-  file(GLOB sources CONFIGURE_DEPENDS ${AVOIDBENCH_ROS_SHIM}/src/*.cpp)
+  # By their names: an older installation may have left others there.
+  set(sources commands core fibre flight frames graph loader memory names observations services synchronize tf time)
+  list(TRANSFORM sources REPLACE "(.+)" "${AVOIDBENCH_ROS_SHIM}/src/\\1.cpp")
   add_library(avoidbench_ros_runtime OBJECT ${sources})
   target_link_libraries(avoidbench_ros_runtime PUBLIC avoidbench::planner_api avoidbench_ros_headers
                         PRIVATE avoidbench::repeatable)

@@ -12,6 +12,7 @@
 #include "output.hpp"
 #include "plugin/planner_library.hpp"
 #include "plugin/planner_table.hpp"
+#include "process/program.hpp"
 #include "report/table_rows.hpp"
 #include "yaml/yaml_values.hpp"
 
@@ -171,6 +172,51 @@ void make_new(const std::string& name, bool is_here) {
             << "  avoidbench run " << inside << "sweep.yaml\n";
 }
 
+struct WrapOptions {
+  std::filesystem::path launch, workspace, folder;
+  std::string name;
+  std::vector<std::string> arguments;  ///< NAME:=VALUE, as for roslaunch
+};
+
+/// By the shim's own script: what it knows of topics files and messages stands in Python.
+void wrap(const WrapOptions& options) {
+  const std::filesystem::path script = data_folder() / "planners" / "ros_shim" / "wrap" / "wrap.py";
+  std::vector<std::string> words{python_with({"yaml"}, "planners wrap"), "-B", script.string(),
+                                 "--prefix=" + installation_prefix().string()};
+  if (!options.workspace.empty()) words.push_back("--workspace=" + options.workspace.string());
+  if (!options.folder.empty()) words.push_back("--folder=" + options.folder.string());
+  if (!options.name.empty()) words.push_back("--name=" + options.name);
+  words.insert(words.end(), {"--", options.launch.string()});
+  words.insert(words.end(), options.arguments.begin(), options.arguments.end());
+  std::cout << std::flush;
+  const int code = run_program(words, Standard::shown).code;
+  if (code != 0) throw CLI::RuntimeError(code < 0 ? 1 : code);
+}
+
+void add_wrap_command(CLI::App& planners) {
+  const auto options = std::make_shared<WrapOptions>();
+  CLI::App* command = planners.add_subcommand(
+      "wrap",
+      "Make a planner of a ROS 1 launch file: write the CMakeLists.txt and the topics.yaml that "
+      "compile its nodes unchanged (docs/ros.md)");
+  command->add_option("launch", options->launch, "Launch file of a catkin package")->required();
+  command->add_option("arguments", options->arguments, "Its arguments: NAME:=VALUE");
+  command
+      ->add_option("--workspace", options->workspace,
+                   "Where its packages lie [the src folder or repository above it]")
+      ->option_text("FOLDER");
+  command->add_option("--folder", options->folder, "Where the two files go [NAME]")
+      ->option_text("FOLDER");
+  command->add_option("--name", options->name, "Planner's name [that of the launch file's package]")
+      ->option_text("NAME");
+  command->footer(
+      "Sources are read, not changed; nothing is built or started. Both files mark what was "
+      "guessed, and what\ncan't be told is asked for in one line each.\n\n"
+      "Example:\n"
+      "  avoidbench planners wrap ~/catkin_ws/src/my_planner/launch/fly.launch max_vel:=3");
+  command->callback([options] { wrap(*options); });
+}
+
 }  // namespace
 
 void add_planners_command(CLI::App& app) {
@@ -180,7 +226,8 @@ void add_planners_command(CLI::App& app) {
     OutputOptions output;
   };
   const auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("planners", "List, describe, check and begin planners");
+  CLI::App* command =
+      app.add_subcommand("planners", "List, describe, check, begin and wrap planners");
   command->footer(
       "Planners are looked up in AVOIDBENCH_PLANNER_PATH (folders separated by colons), the build "
       "tree's planners/\n"
@@ -191,7 +238,8 @@ void add_planners_command(CLI::App& app) {
       "  avoidbench planners list\n"
       "  avoidbench planners describe reactive\n"
       "  avoidbench planners check ./build/my_planner.so\n"
-      "  avoidbench planners new my_planner");
+      "  avoidbench planners new my_planner\n"
+      "  avoidbench planners wrap my_package/launch/fly.launch");
   CLI::App* list_command = command->add_subcommand("list", "All planners on the search path");
   CLI::App* describe_command =
       command->add_subcommand("describe", "What a planner sees, commands, and can be tuned by");
@@ -212,6 +260,7 @@ void add_planners_command(CLI::App& app) {
       ->required();
   new_command->add_flag("--here", options->is_here, "Into this folder, not into one of its name");
   new_command->callback([options] { make_new(options->name, options->is_here); });
+  add_wrap_command(*command);
   list_command->callback([options] { list(options->output); });
   describe_command->callback([options] { describe(options->plugin, options->output); });
   check_command->callback([options] { check(options->plugin, options->output); });
