@@ -17,7 +17,7 @@ import sys
 import traceback
 import types
 
-from make_messages import KEYWORDS, NAME, Problem, package_files, quoted
+from make_messages import KEYWORDS, NAME, Problem, package_files, quoted, write
 
 # dynamic_reconfigure's name -> (C++ type, its kind in Python, value where none is given)
 TYPES = {
@@ -293,9 +293,7 @@ def main():
         print(problem, file=sys.stderr)
         return 1
     for file, text in headers.items():
-        file.parent.mkdir(parents=True, exist_ok=True)
-        if not file.exists() or file.read_text() != text:  # others compile again only where something changed
-            file.write_text(text)
+        write(file, text)
     return 0
 
 

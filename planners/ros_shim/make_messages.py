@@ -424,6 +424,13 @@ def require_no_cycles(messages):
         visit(message, {message.type()})
 
 
+def write(file, text):
+    """Where it changes the file: what includes it compiles again only then."""
+    file.parent.mkdir(parents=True, exist_ok=True)
+    if not file.exists() or file.read_text() != text:
+        file.write_text(text)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("packages", nargs="+", type=pathlib.Path)
@@ -456,10 +463,7 @@ def main():
         f"{package}/{file.stem}": service_text(package, file.stem) for package, file in files if file.suffix == ".srv"
     }
     for name, text in headers.items():
-        file = asked.out / f"{name}.h"
-        file.parent.mkdir(parents=True, exist_ok=True)
-        if not file.exists() or file.read_text() != text:  # others compile again only where something changed
-            file.write_text(text)
+        write(asked.out / f"{name}.h", text)
     return 0
 
 
