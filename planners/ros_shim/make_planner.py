@@ -14,7 +14,7 @@ import sys
 
 import topics_file
 import topics_spec
-from make_messages import quoted
+from make_messages import quoted, write
 from topics_file import Problem
 
 FUNCTIONS = {
@@ -336,11 +336,6 @@ class Planner:
         return "\n".join(lines)
 
 
-def write(file, text):
-    if not file.exists() or file.read_text() != text:  # compile again only where something changed
-        file.write_text(text)
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--name", required=True)
@@ -359,7 +354,6 @@ def main():
         return 1
     for note in planner.notes:
         print(note, file=sys.stderr)
-    asked.out.mkdir(parents=True, exist_ok=True)
     write(asked.out / f"{asked.name}_planner.cpp", planner.cpp())
     listing = []
     for node in planner.nodes:

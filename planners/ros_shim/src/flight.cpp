@@ -74,6 +74,16 @@ Given given_of(const ab_setup& setup, const ab_mission& mission) {
   return given;
 }
 
+/// The vehicle's limit, or a lower one that a parameter of the planner sets.
+double max_speed_mps(const ab_setup& setup, const Given& given) {
+  double limit_mps = setup.max_speed_mps;
+  for (std::uint32_t i = 0; i < planner_table.parameter_count; ++i) {
+    if (std::strcmp(planner_table.parameters[i]->name, "max_speed_mps") != 0) continue;
+    limit_mps = std::min(limit_mps, given.numbers[i]);
+  }
+  return limit_mps;
+}
+
 void require_finite(const double (&values)[3], const char* what) {
   for (const double value : values) {
     if (!std::isfinite(value)) throw std::runtime_error(std::string(what) + " is not finite");
@@ -163,7 +173,8 @@ Flight::Flight(const ab_host& host, const ab_setup& setup, const ab_mission& mis
   for (const auto& [package, folder] : spec_.packages) core.packages[package] = folder;
   try {
     observations_ = std::make_unique<Observations>(spec_, setup, mission, given);
-    commands_ = std::make_unique<Commands>(spec_.command, setup);
+    commands_ =
+        std::make_unique<Commands>(spec_.command, setup, mission, max_speed_mps(setup, given));
     ros::NodeHandle node;
     command_ = spec_.subscribe(node, spec_.command,
                                [this](SetPoints points) { commands_->take(std::move(points)); });
