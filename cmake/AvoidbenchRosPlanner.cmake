@@ -45,7 +45,7 @@ function(avoidbench_ros_runtime)
                          $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-fno-gnu-unique>)
 
   # By their names: an older installation may have left others there.
-  set(sources commands core fibre flight frames graph loader memory names observations services synchronize tf time)
+  set(sources commands core fibre flight frames graph loader memory names nodes_world observations services synchronize tf time)
   list(TRANSFORM sources REPLACE "(.+)" "${AVOIDBENCH_ROS_SHIM}/src/\\1.cpp")
   add_library(avoidbench_ros_runtime OBJECT ${sources})
   target_link_libraries(avoidbench_ros_runtime PUBLIC avoidbench::planner_api avoidbench_ros_headers

@@ -1,5 +1,6 @@
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <span>
 #include <utility>
@@ -158,17 +159,25 @@ void check(const std::string& plugin, const OutputOptions& options) {
 }
 
 /// In a folder of its name, or here.
-void make_new(const std::string& name, bool is_here) {
+void make_new(const std::string& name, const std::string& kind_word, bool is_here) {
+  const std::map<std::string, ProjectKind> kinds{{"example", ProjectKind::example},
+                                                 {"class", ProjectKind::cpp_class},
+                                                 {"python", ProjectKind::python},
+                                                 {"weights", ProjectKind::weights}};
+  const ProjectKind kind = kinds.at(kind_word);
   const std::string folder = is_here ? "." : name;
   const std::filesystem::path templates = data_folder() / "planners" / "template";
-  write_planner_project(name, folder, templates);
+  const std::vector<std::string> written = write_planner_project(name, kind, folder, templates);
   const std::string inside = is_here ? "" : name + "/";
-  std::cout << "wrote " << inside << name << ".cpp, CMakeLists.txt, README.md, sweep.yaml. Next:\n"
-            << "  cmake -S " << folder << " -B " << inside
-            << "build -DCMAKE_PREFIX_PATH=" << installation_prefix().string() << '\n'
-            << "  cmake --build " << inside << "build\n"
-            << "  avoidbench planners check " << (is_here ? "./" : inside) << "build/planners/"
-            << name << ".so\n"
+  const std::string plugin =
+      (std::filesystem::path(folder) / project_plugin(name, kind)).lexically_normal().string();
+  std::cout << "wrote " << inside << joined(written) << ". Next:\n";
+  if (!plugin.ends_with(".py")) {
+    std::cout << "  cmake -S " << folder << " -B " << inside
+              << "build -DCMAKE_PREFIX_PATH=" << installation_prefix().string() << '\n'
+              << "  cmake --build " << inside << "build\n";
+  }
+  std::cout << "  avoidbench planners check " << (is_here ? "./" : "") << plugin << '\n'
             << "  avoidbench run " << inside << "sweep.yaml\n";
 }
 
@@ -221,7 +230,7 @@ void add_wrap_command(CLI::App& planners) {
 
 void add_planners_command(CLI::App& app) {
   struct Options {
-    std::string plugin, name;
+    std::string plugin, name, kind = "example";
     bool is_here = false;
     OutputOptions output;
   };
@@ -254,12 +263,18 @@ void add_planners_command(CLI::App& app) {
     each->add_option("planner", options->plugin, "Name or file of a planner")->required();
   }
   CLI::App* new_command = command->add_subcommand(
-      "new",
-      "Write a small planner that builds and flies, to begin from: a CMake project and a sweep");
+      "new", "Write a small planner that builds and flies, to begin from, and a sweep with it");
   new_command->add_option("name", options->name, "Of a-z, 0-9 and _; also the name of its folder")
       ->required();
   new_command->add_flag("--here", options->is_here, "Into this folder, not into one of its name");
-  new_command->callback([options] { make_new(options->name, options->is_here); });
+  new_command
+      ->add_option(
+          "--kind", options->kind,
+          "example: in C++; class: a C++ class of yours, with plain inputs; python; weights: "
+          "a Python class with a net's weights")
+      ->check(CLI::IsMember({"example", "class", "python", "weights"}))
+      ->option_text("KIND [example]");
+  new_command->callback([options] { make_new(options->name, options->kind, options->is_here); });
   add_wrap_command(*command);
   list_command->callback([options] { list(options->output); });
   describe_command->callback([options] { describe(options->plugin, options->output); });

@@ -9,6 +9,7 @@
 
 #include "avoidbench/goals.hpp"
 #include "avoidbench/planner.h"
+#include "nodes_world.hpp"
 #include "planner_spec.hpp"
 
 namespace ros_shim {
@@ -99,6 +100,7 @@ class Flight {
 
  private:
   PlannerSpec spec_;
+  std::optional<NodesWorld> world_;
   std::unique_ptr<Observations> observations_;
   std::unique_ptr<Commands> commands_;
   ros::Subscriber command_;

@@ -23,7 +23,7 @@ class Package:
         self.linked = {}  # target -> words of target_link_libraries
         self.depends, self.finds = set(), {}  # packages; of find_package name -> components
         self.includes, self.definitions, self.standard = [], [], 0
-        self.has_messages = any(folder.glob("msg/*.msg")) or any(folder.glob("srv/*.srv"))
+        self.has_messages = any(any(folder.glob(one)) for one in ("msg/*.msg", "srv/*.srv", "cfg/*.cfg"))
 
 
 def find_packages(workspace):
