@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "avoidbench/planner.hpp"
 
@@ -91,7 +92,7 @@ TEST(NodesWorld, WhatIsSeenLiesInIt) {
 
 TEST(NodesWorld, CommandsComeOutOfIt) {
   NodesWorld world = quarter();
-  std::array<ab_point, 2> points{};
+  std::vector<ab_point> points(2);
   points[1].time_s = 1.0;
   points[1].position_world_m[0] = 2.0;
   points[1].velocity_world_mps[0] = 3.0;
