@@ -130,7 +130,12 @@ def topics_text(found):
         for name, (unit, default, lowest, highest, doc) in parameters.declared.items():
             keys = {"name": name, "unit": unit, "default": default, "lowest": lowest, "highest": highest, "doc": doc}
             lines.append(f"  - {scalar(keys)}")
-    lines += ["", "nodes:", *nodes]
+    lines += [
+        "",
+        "# If it takes for granted that goals are at 1 m and flights start along +x (docs/ros.md, `A world of the nodes' own`):",
+        '# world: {z_m: "${goal_z_m - 1}", yaw_rad: "${start_yaw_rad}"}',
+    ]
+    lines += ["nodes:", *nodes]
     if found.params:
         lines += ["", "params:"]
         lines += [f"  {name}: {scalar(value)}" for name, value in found.params.items()]
