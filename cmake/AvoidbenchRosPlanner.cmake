@@ -180,7 +180,8 @@ function(avoidbench_ros_planner name)
   # Nothing but the two entries is seen from outside, and nothing outside takes the place of what is inside: the library
   # is loaded once more for every trial.
   set(script ${AVOIDBENCH_ROS_SHIM}/exports.map)
-  target_link_options(${name} PRIVATE -Wl,--version-script=${script} -Wl,-Bsymbolic -Wl,-z,now)
+  target_link_options(${name} PRIVATE -Wl,--version-script=${script} -Wl,-Bsymbolic -Wl,-z,now
+                      $<$<NOT:$<BOOL:${AVOIDBENCH_SANITIZE}>>:-Wl,-z,defs>)
   set_target_properties(${name} PROPERTIES PREFIX "" SUFFIX ".so" UNITY_BUILD OFF LINK_DEPENDS ${script}
                         CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
   avoidbench_ros_warn_of_clocks(${name})

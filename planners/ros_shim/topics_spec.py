@@ -330,7 +330,8 @@ def world_of(tree, expressions):
     found = []
     for key in keys:
         value = value_of(values[key], expressions) if key in values else 0.0
-        if isinstance(value, bool) or not isinstance(value, (int, float, tuple)) or (isinstance(value, tuple) and value[0] == "own text"):
+        is_text = isinstance(value, tuple) and value[0] == "own text"
+        if isinstance(value, bool) or not isinstance(value, (int, float, tuple)) or is_text:
             raise values[key].problem(f"{key} is a number, or ${{…}} of numbers")
         found.append(value)
     return found

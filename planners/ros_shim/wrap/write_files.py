@@ -132,7 +132,7 @@ def topics_text(found):
             lines.append(f"  - {scalar(keys)}")
     lines += [
         "",
-        "# If it takes for granted that goals are at 1 m and flights start along +x (docs/ros.md, `A world of the nodes' own`):",
+        "# Does it take for granted that goals are at 1 m and flights start along +x? see docs/ros.md.",
         '# world: {z_m: "${goal_z_m - 1}", yaw_rad: "${start_yaw_rad}"}',
     ]
     lines += ["nodes:", *nodes]
