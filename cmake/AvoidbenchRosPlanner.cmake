@@ -180,8 +180,10 @@ function(avoidbench_ros_planner name)
   # Nothing but the two entries is seen from outside, and nothing outside takes the place of what is inside: the library
   # is loaded once more for every trial.
   set(script ${AVOIDBENCH_ROS_SHIM}/exports.map)
-  target_link_options(${name} PRIVATE -Wl,--version-script=${script} -Wl,-Bsymbolic -Wl,-z,now
-                      $<$<NOT:$<BOOL:${AVOIDBENCH_SANITIZE}>>:-Wl,-z,defs>)
+  target_link_options(${name} PRIVATE -Wl,--version-script=${script} -Wl,-Bsymbolic -Wl,-z,now)
+  if(NOT AVOIDBENCH_SANITIZE)  # whose runtime is the program's
+    target_link_options(${name} PRIVATE -Wl,-z,defs)  # all that is missing is told at once, and not at the first trial
+  endif()
   set_target_properties(${name} PROPERTIES PREFIX "" SUFFIX ".so" UNITY_BUILD OFF LINK_DEPENDS ${script}
                         CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
   avoidbench_ros_warn_of_clocks(${name})
