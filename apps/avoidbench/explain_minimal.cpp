@@ -34,16 +34,21 @@ json listed_mission(const Mission& mission) {
 }
 
 /// By its name where that leads to the file, else by the file.
-json scene_planner(const PlannerChoice& planner) {
-  const std::filesystem::path file = planner.file;
-  const bool is_name = planner.plugin == file.stem().string() && planner.command.empty();
+json scene_plugin(const PluginChoice& plugin) {
+  const std::filesystem::path file = plugin.file;
+  const bool is_name = plugin.plugin == file.stem().string() && plugin.command.empty();
   json parameters = json::object();
-  for (const ParameterChoice& parameter : planner.parameters) {
+  for (const ParameterChoice& parameter : plugin.parameters) {
     parameters[parameter.name] = parameter.is_text ? json(parameter.text) : json(parameter.number);
   }
-  json entry{{"plugin", is_name ? planner.plugin : std::filesystem::absolute(file).string()},
-             {"label", planner.label},
-             {"parameters", parameters}};
+  return {{"plugin", is_name ? plugin.plugin : std::filesystem::absolute(file).string()},
+          {"label", plugin.label},
+          {"parameters", parameters}};
+}
+
+json scene_planner(const PlannerChoice& planner) {
+  json entry = scene_plugin(planner);
+  if (planner.filter) entry["filter"] = scene_plugin(*planner.filter);
   if (planner.camera != kAllCameras) entry["camera"] = planner.camera;
   return entry;
 }

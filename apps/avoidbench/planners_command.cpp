@@ -32,6 +32,7 @@ constexpr Name kSeen[] = {{AB_INPUT_STATE, "state"},
                           {AB_INPUT_POINTS, "points"},
                           {AB_INPUT_GOALS, "goals"},
                           {AB_INPUT_TRACKS, "tracks"},
+                          {AB_INPUT_COMMAND, "command (filter)"},
                           {AB_INPUT_WORLD, "world (privileged)"}};
 constexpr Name kUsed[] = {{AB_USES_PROCESSES, "processes"},
                           {AB_USES_DEVICES, "devices"},

@@ -40,7 +40,7 @@ std::string sandbox_text(const RunCommand& command, const SweepSpec& sweep) {
   std::string sandbox = sandbox_of(command);
   if (!sandbox.empty()) {
     for (const PlannerChoice& planner : sweep.planners) {
-      const std::string granted = text(sandbox_rules(planner.needs));
+      const std::string granted = text(sandbox_rules(needs_of(planner)));
       if (!granted.empty()) sandbox += "; " + planner.label + ": " + granted;
     }
     return sandbox;
@@ -85,7 +85,7 @@ void warn(const RunCommand& command, const SweepSpec& sweep, int jobs) {
                  "measured latency)\n";
   }
   for (const PlannerChoice& planner : sweep.planners) {
-    const std::string granted = text(sandbox_rules(planner.needs));
+    const std::string granted = text(sandbox_rules(needs_of(planner)));
     if (granted.empty() || sandbox_of(command).empty()) continue;
     warn_of_granted(planner.label, granted);
   }

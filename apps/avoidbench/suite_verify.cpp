@@ -106,7 +106,9 @@ ClaimedSweep claimed_sweep(const SuiteTrack& chosen, const SuiteCell& cell, cons
   KeyMaker keys;
   for (const PlannedTrial& trial : expand(claimed.spec)) {
     TrialSpec spec = trial.spec();
-    spec.planner.file_digest = result.planner_digest;
+    // That of a planner with a filter is one digest of two files: it is verified with both as they
+    // were.
+    if (!spec.planner.filter) spec.planner.file_digest = result.planner_digest;
     spec.planner.label = result.label;
     const std::string key_of_row = trial_key(spec);
     claimed.key_of_claimed[key_of_row] = keys.trial_key(trial);
@@ -218,7 +220,7 @@ void verify_suite(const SuiteOptions& options) {
     }
   }
   const PlannerChoice& own = sweeps.front().spec.planners.front();
-  if (((own.needs & AB_INPUT_WORLD) != 0) != result.is_privileged) {
+  if (((needs_of(own) & AB_INPUT_WORLD) != 0) != result.is_privileged) {
     refuse("is_privileged: the planner says otherwise");
   }
   check_rows(chosen, result, sweeps);
@@ -226,10 +228,9 @@ void verify_suite(const SuiteOptions& options) {
   std::cout << "claimed: " << visible_line(result.label) << ", " << result.suite << "/"
             << result.track << " " << text(result.split) << ", " << result.rows.size()
             << " flights, score " << fixed_digits(score.score.value, 2) << " m/s\n";
-  if (own.file_digest != result.planner_digest) {
-    std::cerr << "note: the planner here is another build (SHA-256 "
-              << own.file_digest.substr(0, 12) << "…) than the one that flew ("
-              << result.planner_digest.substr(0, 12) << "…)\n";
+  if (const std::string digest = flown_digest(own); digest != result.planner_digest) {
+    std::cerr << "note: the planner here is another build (SHA-256 " << digest.substr(0, 12)
+              << "…) than the one that flew (" << result.planner_digest.substr(0, 12) << "…)\n";
   }
   const std::string salt =
       options.salt.empty() ? file_digest(fs::path(options.folder) / kTrialsFile) : options.salt;

@@ -26,6 +26,7 @@ AB_INPUT_REFERENCE = 4096
 AB_INPUT_TRACKS = 16384
 AB_INPUT_POINTS = 8192
 AB_INPUT_GOALS = 32768
+AB_INPUT_COMMAND = 65536
 AB_USES_PROCESSES = 256
 AB_USES_DEVICES = 512
 AB_USES_NETWORK = 1024
@@ -115,15 +116,15 @@ ab_point = _struct(
     "yaw_rate_radps:f8"
 )
 ab_track = _struct("id:u4 kind:u4 time_s:f8 center_world_m:3f8 velocity_world_mps:3f8 size_m:3f8")
-ab_observation = _struct(
-    "struct_size:u4 depth_count:u4 state:u8 depth:u8 stereo_count:u4 color_count:u4 stereo:u8 color:u8 imu_count:u4 "
-    "reserved:u4 imu:u8 time_s:f8 state_count:u4 reserved2:u4 states:u8 reference:u8 cloud_count:u4 reserved3:u4 "
-    "clouds:u8 goal_index:u4 reserved4:u4 goal_world_m:3f8 track_count:u4 reserved5:u4 tracks:u8"
-)
 ab_command = _struct(
     "struct_size:u4 kind:u4 flags:u4 point_count:u4 position_world_m:3f8 velocity_world_mps:3f8 "
     "acceleration_world_mps2:3f8 yaw_rad:f8 yaw_rate_radps:f8 rates_body_radps:3f8 thrust_mps2:f8 points:u8 "
     "horizon_s:f8"
+)
+ab_observation = _struct(
+    "struct_size:u4 depth_count:u4 state:u8 depth:u8 stereo_count:u4 color_count:u4 stereo:u8 color:u8 imu_count:u4 "
+    "reserved:u4 imu:u8 time_s:f8 state_count:u4 reserved2:u4 states:u8 reference:u8 cloud_count:u4 reserved3:u4 "
+    "clouds:u8 goal_index:u4 reserved4:u4 goal_world_m:3f8 track_count:u4 reserved5:u4 tracks:u8 wanted:u8"
 )
 ab_named_number = _struct("name:u8 number:f8")
 ab_profile = _struct("struct_size:u4 number_count:u4 choice:u8 word:u8 numbers:u8")

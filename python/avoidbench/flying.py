@@ -65,6 +65,7 @@ def fly(
     parameters: Mapping[str, Any] | None = None,
     label: str | None = None,
     camera: int | None = None,
+    filter: str | Mapping[str, Any] | None = None,
     set: Mapping[str, Any] | None = None,
     database: str | os.PathLike[str] | None = None,
     progress: bool = True,
@@ -85,6 +86,8 @@ def fly(
         label: its name in reports; else its own.
         camera: of a sensor with several cameras the one that it sees, by its index; else each. A planner of one_camera
             needs it there.
+        filter: what its commands pass through, as a sweep says it: "stopping_distance", a file, or a dict of plugin and
+            parameters.
         set, database, progress: as run() has them.
         options: others of run(), such as jobs, plan_timeout_s and sandbox.
 
@@ -105,6 +108,8 @@ def fly(
         chosen["label"] = label
     if camera is not None:
         chosen["camera"] = camera
+    if filter is not None:
+        chosen["filter"] = filter
     if isinstance(sweep, Mapping):
         sweep = {**sweep, "planners": [chosen]}
     else:

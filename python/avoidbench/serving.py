@@ -30,7 +30,20 @@ from avoidbench.planner_files import planner_files
 _WORDS = {
     "inputs": (
         "AB_INPUT_",
-        ("state", "depth", "stereo", "color", "imu", "states", "one_camera", "reference", "points", "tracks", "goals"),
+        (
+            "state",
+            "depth",
+            "stereo",
+            "color",
+            "imu",
+            "states",
+            "one_camera",
+            "reference",
+            "points",
+            "tracks",
+            "goals",
+            "command",
+        ),
     ),
     "uses": ("AB_USES_", ("processes", "devices", "network", "globals")),
     "commands": ("AB_COMMAND_", ("position", "velocity", "acceleration", "trajectory", "rates")),
@@ -292,6 +305,31 @@ def _tracks(segment: _Segment, given: NDArray[np.void]) -> tuple[p.Track, ...]:
     return tuple(_made(p.Track, track, kind=_TRACK_KINDS[track["kind"].item()]) for track in tracks)
 
 
+def _wanted(segment: _Segment, at: int) -> p.Command | None:
+    if at == 0:
+        return None
+    given = segment.struct(layouts.ab_command, at)
+    held = {"horizon_s": given["horizon_s"].item()}
+    kind = given["kind"].item()
+    if kind == layouts.AB_COMMAND_TRAJECTORY:
+        points: NDArray[np.void] = np.ndarray(
+            given["point_count"].item(), layouts.ab_point, segment.memory, given["points"].item()
+        )
+        return _made(p.Trajectory, points, **held)
+    if kind == layouts.AB_COMMAND_RATES:
+        return _made(p.Rates, given, **held)
+    turns = given["flags"].item() & layouts.AB_YAW_IS_RATE
+    yaw = {
+        "yaw_rad": None if turns else given["yaw_rad"].item(),
+        "yaw_rate_radps": given["yaw_rate_radps"].item() if turns else None,
+    }
+    if kind == layouts.AB_COMMAND_VELOCITY:
+        return _made(p.Velocity, given, **held, **yaw)
+    if kind == layouts.AB_COMMAND_ACCELERATION:
+        return _made(p.Acceleration, given, **held, **yaw)
+    return _made(p.Position, given, **held, **yaw)
+
+
 def _observation(segment: _Segment, at: int, inputs: Sequence[str]) -> p.Observation:
     given = segment.struct(layouts.ab_observation, at)
     states = (segment.struct(layouts.ab_state, offset) for offset in segment.offsets(given, "states", "state_count"))
@@ -309,6 +347,7 @@ def _observation(segment: _Segment, at: int, inputs: Sequence[str]) -> p.Observa
         goal_index=given["goal_index"].item(),
         goal_world_m=given["goal_world_m"].copy() if "goals" in inputs else None,
         tracks=_tracks(segment, given),
+        wanted=_wanted(segment, given["wanted"].item()),
     )
 
 
@@ -357,6 +396,18 @@ def _command(writer: _Writer, given: p.Command) -> int:
     return writer.struct(layouts.ab_command, kind=kind, **fields)
 
 
+def _passed_on(writer: _Writer, segment: _Segment, observation_at: int) -> int:
+    """The wanted command as it came, bit for bit."""
+    given = segment.struct(layouts.ab_command, segment.struct(layouts.ab_observation, observation_at)["wanted"].item())
+    command = given.copy()
+    count = given["point_count"].item()
+    if count > 0:
+        begin = given["points"].item()
+        points = segment.memory[begin : begin + count * layouts.ab_point.itemsize]
+        command["points"] = writer.add(points)
+    return writer.add(command.tobytes())
+
+
 def _error_line(error: BaseException) -> str:
     """The exception and its innermost place in no file of ours, in one line."""
     frames = traceback.extract_tb(error.__traceback__)
@@ -375,9 +426,12 @@ class _Server:
 
     def _plan(self, body: int, writer: _Writer) -> tuple[int, int]:
         assert self._instance is not None
-        given = self._instance.plan(_observation(self._segment, body, self._class.inputs))
+        observation = _observation(self._segment, body, self._class.inputs)
+        given = self._instance.plan(observation)
         if given is None:
             return layouts.AB_NO_PLAN, 0
+        if given is observation.wanted:
+            return layouts.AB_OK, _passed_on(writer, self._segment, body)
         if not isinstance(given, p.Command):
             raise TypeError(f"plan(): expected a command or None, got {type(given).__name__}")
         return layouts.AB_OK, _command(writer, given)

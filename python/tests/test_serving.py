@@ -9,7 +9,7 @@ from typing import Any
 import avoidbench
 import pytest
 from avoidbench.planner_files import local_modules, planner_files
-from avoidbench.program import environment, find_program
+from avoidbench.program import ProgramError, environment, find_program
 
 EXAMPLES = Path(__file__).parent.parent / "examples"
 HALL: dict[str, Any] = {
@@ -42,6 +42,41 @@ def call(*words: Any) -> subprocess.CompletedProcess[str]:
 def run(sweep: Any, database: Path, planner: Any) -> avoidbench.Results:
     with pytest.warns(UserWarning):
         return avoidbench.run({**sweep, "planners": [planner]}, database=database)
+
+
+FILTER = """
+from avoidbench import Planner, Velocity
+
+class Mine(Planner):
+    name = "mine"
+    inputs = ("state", "command")
+    commands = ("velocity", "trajectory")
+
+    def plan(self, observation):
+        wanted = observation.wanted
+        return {answer}
+"""
+
+
+def test_a_filter_in_python_passes_commands_on_or_changes_them(tmp_path: Path) -> None:
+    halved = "Velocity(0.5 * wanted.velocity_world_mps, yaw_rad=wanted.yaw_rad)"
+    for name, answer in (("passes", "wanted"), ("halves", halved)):
+        (tmp_path / f"{name}.py").write_text(FILTER.format(answer=answer))
+    flights = {}
+    for plugin in ("straight_line", "ego"):
+        for name in ("alone", "passes", "halves"):
+            if (plugin, name) == ("ego", "halves"):
+                continue
+            planner = {"plugin": plugin, "label": "it"}
+            if name != "alone":
+                planner["filter"] = str(tmp_path / f"{name}.py")
+            trial = run(HALL, tmp_path / f"{plugin}_{name}.db", planner).trials.iloc[0]
+            flights[plugin, name] = (trial["outcome"], trial["path_length_m"])
+    assert flights["straight_line", "passes"] == flights["straight_line", "alone"]
+    assert flights["ego", "passes"] == flights["ego", "alone"]
+    assert flights["straight_line", "halves"][1] < 0.7 * flights["straight_line", "alone"][1]
+    with pytest.raises(ProgramError, match="mine is a filter and flies above a planner only"):
+        run(HALL, tmp_path / "none.db", str(tmp_path / "passes.py"))
 
 
 def test_what_fly_flew_the_program_replays_and_does_not_fly_again(tmp_path: Path) -> None:

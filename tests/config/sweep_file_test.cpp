@@ -394,7 +394,7 @@ TEST_F(SweepFiles, ProblemsOfAllPartsComeTogetherInOrder) {
       "s.yaml:2:9: trials: expected a whole number, found \"x\"\n"
       "s.yaml:3:26: maps.poisson_radius_m: 0 is outside [1, 20]\n"
       "s.yaml:5:23: planners[0].a: unknown key (known: plugin, label, parameters, camera, "
-      "max_speed_mps)\n"
+      "filter, max_speed_mps)\n"
       "s.yaml:6:1: rate: unknown key (did you mean rates?)");
 }
 

@@ -15,7 +15,7 @@ using testing::HasSubstr;
 TEST(Conformance, HonestPlannersPassEveryRule) {
   for (const std::filesystem::path& file :
        {bad_planner("honest"), bad_planner("sees_all"), bad_planner("sees_movers"),
-        bad_planner("globals"), bad_planner("long_trajectories"),
+        bad_planner("globals"), bad_planner("long_trajectories"), bad_planner("honest_filter"),
         std::filesystem::path(C_PLANNER)}) {
     const auto results = check_conformance(file);
     EXPECT_GE(results.size(), 15U);
@@ -79,6 +79,9 @@ INSTANTIATE_TEST_SUITE_P(
         BadCase{"needs_tracks", "survives_odd_tracks",
                 "no tracks, call 1: velocity_world_mps is not finite"},
         BadCase{"writes_tracks", "flies_toward_a_wall", "it wrote into the tracks"},
+        BadCase{"needs_wanted", "survives_odd_commands",
+                "no wanted command, call 1: AB_ERROR: no command to pass on"},
+        BadCase{"writes_wanted", "flies_toward_a_wall", "it wrote into the wanted command"},
         BadCase{"writes_misses", "flies_toward_a_wall", "it wrote into a lidar's sweep"},
         BadCase{"fears_moving_goals", "survives_odd_goals",
                 "a goal that moves, call 1: AB_ERROR: the goal has moved"},
@@ -109,6 +112,8 @@ TEST(Conformance, OneBrokenRuleDoesNotTripTheOthers) {
               testing::ElementsAre("survives_odd_sweeps"));
   EXPECT_THAT(failed_rules(check_conformance(bad_planner("needs_tracks"))),
               testing::ElementsAre("survives_odd_tracks"));
+  EXPECT_THAT(failed_rules(check_conformance(bad_planner("needs_wanted"))),
+              testing::ElementsAre("survives_odd_commands"));
   EXPECT_THAT(failed_rules(check_conformance(bad_planner("fears_moving_goals"))),
               testing::ElementsAre("survives_odd_goals"));
   EXPECT_THAT(failed_rules(check_conformance(bad_planner("one_wide_camera"))), testing::IsEmpty());

@@ -109,6 +109,13 @@ struct Seen {
     all.clouds = cloud_pointers.data();
     noise.fill(&all.goal_index, sizeof all.goal_index);
     noise.fill(all.goal_world_m, sizeof all.goal_world_m);
+    wanted = noise.made<ab_command>();
+    wanted_points.resize(6);
+    noise.fill(wanted_points.data(), wanted_points.size() * sizeof(ab_point));
+    wanted.point_count = static_cast<std::uint32_t>(wanted_points.size());
+    wanted.points = wanted_points.data();
+    // Of other seeds the planner below has no plan.
+    all.wanted = seed % 3 != 0 ? &wanted : nullptr;
   }
   Seen(const Seen&) = delete;
   /// Whether sweeps, tracks and goals have the same bits.
@@ -138,6 +145,8 @@ struct Seen {
   std::vector<ab_imu_sample> imu;
   std::vector<ab_state> past;
   ab_point reference{};
+  ab_command wanted{};
+  std::vector<ab_point> wanted_points;
   std::vector<ab_track> tracks;
   std::vector<const ab_state*> past_pointers;
   std::vector<ab_cloud> clouds;

@@ -111,7 +111,8 @@ TEST(Protocol, StructsOfOneCallAreWhereTheyAreDocumented) {
                   AT(ab_observation, reference, 88),     AT(ab_observation, cloud_count, 96),
                   AT(ab_observation, clouds, 104),       AT(ab_observation, goal_index, 112),
                   AT(ab_observation, goal_world_m, 120), AT(ab_observation, track_count, 144),
-                  AT(ab_observation, tracks, 152),       Field{sizeof(ab_observation), 160}});
+                  AT(ab_observation, tracks, 152),       AT(ab_observation, wanted, 160),
+                  Field{sizeof(ab_observation), 168}});
   expect_offsets("ab_cloud", {AT(ab_cloud, lidar, 4), AT(ab_cloud, time_s, 8),
                               AT(ab_cloud, position_world_m, 16), AT(ab_cloud, q_world_lidar, 40),
                               AT(ab_cloud, point_count, 72), AT(ab_cloud, miss_count, 76),

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/input_error.hpp"
 #include "replay/stored_flight.hpp"
 #include "worker/worker.hpp"
 

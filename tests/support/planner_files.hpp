@@ -16,11 +16,10 @@ inline std::string built_planner(const std::string& name) {
 /// The choice of a built planner with its presets.
 inline PlannerChoice preset_choice(const std::string& name) {
   const PlannerDescription planner = PlannerLibrary::load(built_planner(name)).description();
-  PlannerChoice choice{.plugin = name,
-                       .label = name,
-                       .file = planner.file.string(),
-                       .file_digest = planner.file_digest,
-                       .parameters = {}};
+  PlannerChoice choice;
+  choice.plugin = choice.label = name;
+  choice.file = planner.file.string();
+  choice.file_digest = planner.file_digest;
   for (const ParameterDef& parameter : planner.parameters) {
     choice.parameters.push_back(
         {.name = parameter.name,

@@ -57,12 +57,12 @@ TEST_F(SweepTest, APlannerWithGlobalsFliesEachTrialInANewProcess) {
     SweepSpec sweep = small_sweep();
     const std::string file = std::string(PLANNERS) + "/global_state_" + told + ".so";
     const PlannerDescription planner = PlannerLibrary::load(file).description();
-    sweep.planners = {{.plugin = file,
-                       .label = planner.name,
-                       .file = file,
-                       .file_digest = planner.file_digest,
-                       .parameters = {},
-                       .needs = planner.needs}};
+    sweep.planners = {PlannerChoice{PluginChoice{.plugin = file,
+                                                 .label = planner.name,
+                                                 .file = file,
+                                                 .file_digest = planner.file_digest,
+                                                 .parameters = {},
+                                                 .needs = planner.needs}}};
     run(sweep, told + ".db", 2);
     const Database database = Database::open_for_reading(folder_ / (told + ".db"));
     int good = 0, failed = 0;

@@ -13,11 +13,12 @@ namespace {
 
 PlannerChoice torture_choice(const std::string& way) {
   const PlannerDescription planner = PlannerLibrary::load(TORTURE_FILE).description();
-  return {.plugin = "torture",
-          .label = "torture " + way,
-          .file = TORTURE_FILE,
-          .file_digest = planner.file_digest,
-          .parameters = {{.name = "way", .number = 0.0, .text = way, .is_text = true}}};
+  return PlannerChoice{
+      PluginChoice{.plugin = "torture",
+                   .label = "torture " + way,
+                   .file = TORTURE_FILE,
+                   .file_digest = planner.file_digest,
+                   .parameters = {{.name = "way", .number = 0.0, .text = way, .is_text = true}}}};
 }
 
 class TortureTest : public test::SweepTest {};

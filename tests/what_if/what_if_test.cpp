@@ -23,12 +23,13 @@ const std::vector<std::string> kFaults{"depth",    "latency", "crash",     "stat
 
 PlannerChoice picky(const std::string& fault) {
   const PlannerDescription planner = PlannerLibrary::load({PICKY_FILE, {}}).description();
-  return {.plugin = PICKY_FILE,
-          .label = fault,
-          .file = PICKY_FILE,
-          .file_digest = planner.file_digest,
-          .parameters = {{.name = "minds", .text = fault, .is_text = true},
-                         {.name = "cruise_speed_mps", .number = 2.0, .text = {}}}};
+  return PlannerChoice{
+      PluginChoice{.plugin = PICKY_FILE,
+                   .label = fault,
+                   .file = PICKY_FILE,
+                   .file_digest = planner.file_digest,
+                   .parameters = {{.name = "minds", .text = fault, .is_text = true},
+                                  {.name = "cruise_speed_mps", .number = 2.0, .text = {}}}}};
 }
 
 /// A hall whose cylinders are far below, and all that a planner can mind.

@@ -169,7 +169,9 @@ nlohmann::json value_to_json(const T& value) {
 
 template <class T>
 nlohmann::json sparse_value(const T& value) {
-  if constexpr (IsSequence<T>::value) {
+  if constexpr (IsOptional<T>::value) {
+    return value ? sparse_value(*value) : nlohmann::json();
+  } else if constexpr (IsSequence<T>::value) {
     nlohmann::json array = nlohmann::json::array();
     for (const auto& element : value) array.push_back(sparse_value(element));
     return array;

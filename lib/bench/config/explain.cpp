@@ -13,6 +13,7 @@
 #include "config/given_values.hpp"
 #include "config/sweep_keys.hpp"
 #include "control/reference_governor.hpp"
+#include "plugin/planner_table.hpp"
 #include "trial/contradictions.hpp"
 #include "vehicle/capability.hpp"
 #include "yaml/yaml_values.hpp"
@@ -333,13 +334,19 @@ std::vector<Explanation> about_top() {
   return {std::move(about)};
 }
 
+std::string of_filter(const std::string& entry) {
+  return "{plugin: straight_line, filter: " + entry + "}";
+}
+
 /// How it is written in a sweep's file, for one value and as an axis.
-Explanation about_parameter(const std::string& planner, const ParameterDef& parameter) {
+Explanation about_parameter(const std::string& planner, const ParameterDef& parameter,
+                            bool stands_above) {
   const FieldTree field = parameter_tree(parameter);
   Explanation about = about_values(planner + "." + field.name, field, parameter.unit);
   const auto line = [&](const Json& value) {
-    return "planners: [{plugin: " + planner + ", parameters: {" + field.name + ": " +
-           flow_yaml(value) + "}}]";
+    const std::string entry =
+        "{plugin: " + planner + ", parameters: {" + field.name + ": " + flow_yaml(value) + "}}";
+    return "planners: [" + (stands_above ? of_filter(entry) : entry) + "]";
   };
   if (field.preset == "") {
     about.facts.emplace_back("example", line("TEXT"));
@@ -359,10 +366,13 @@ std::vector<Explanation> about_planner(const std::string& key,
   for (const PlannerDescription& planner : planners) {
     const std::string name = planner.file.stem().string();
     if (name != key.substr(0, dot)) continue;
+    const bool stands_above = is_filter(planner);
+    const std::string example = stands_above ? of_filter(name) : name;
     Explanation about{
-        name + ": " + planner.summary, {{"example", "planners: [" + name + "]"}}, kColumns, {}};
+        name + ": " + planner.summary, {{"example", "planners: [" + example + "]"}}, kColumns, {}};
     for (const ParameterDef& parameter : planner.parameters) {
-      if (key == name + "." + parameter.name) return {about_parameter(name, parameter)};
+      if (key == name + "." + parameter.name)
+        return {about_parameter(name, parameter, stands_above)};
       about.keys.push_back(row(parameter_tree(parameter), parameter.unit));
     }
     if (dot == std::string::npos) return {std::move(about)};

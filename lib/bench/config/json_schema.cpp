@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "config/sweep_keys.hpp"
+#include "plugin/planner_table.hpp"
 #include "yaml/yaml_values.hpp"
 
 namespace avoidbench {
@@ -365,12 +366,26 @@ Schema planner_rule(const PlannerDescription& planner, const std::string& name,
           {"then", {{"properties", std::move(of_planner)}}}};
 }
 
-/// One entry of `planners`.
+/// What only a planner's entry has.
+void add_planner_keys(const FieldTree& max_speed, SchemaWriter& writer, Schema& properties) {
+  properties["camera"] = {
+      {"type", "integer"},
+      {"minimum", 0},
+      {"description",
+       "Of a sensor with several cameras the one that the planner sees; all where not given."}};
+  properties["filter"] = reference("filter");
+  properties["filter"]["description"] =
+      "A filter that the planner's commands pass through: a name, or what differs from it.";
+  properties["max_speed_mps"] = writer.several(max_speed, value_schema(max_speed), false);
+}
+
+/// One entry of `planners`, or what stands under `filter` in one.
 Schema planner_schema(const FieldTree& max_speed, const std::vector<PlannerDescription>& planners,
-                      SchemaWriter& writer) {
+                      bool of_filters, SchemaWriter& writer) {
   std::vector<std::string> names;
   Schema rules = Schema::array();
   for (const PlannerDescription& planner : planners) {
+    if (is_filter(planner) != of_filters) continue;
     const bool is_script = planner.file.extension() == ".py";
     names.push_back((is_script ? planner.file.filename() : planner.file.stem()).string());
     rules.push_back(planner_rule(planner, names.back(), writer));
@@ -391,12 +406,7 @@ Schema planner_schema(const FieldTree& max_speed, const std::vector<PlannerDescr
       {"description",
        "Values by name; a list gives one planner for each. `avoidbench planners describe NAME` "
        "shows them."}};
-  properties["camera"] = {
-      {"type", "integer"},
-      {"minimum", 0},
-      {"description",
-       "Of a sensor with several cameras the one that the planner sees; all where not given."}};
-  properties["max_speed_mps"] = writer.several(max_speed, value_schema(max_speed), false);
+  if (!of_filters) add_planner_keys(max_speed, writer, properties);
   Schema entry{{"type", "object"},
                {"properties", std::move(properties)},
                {"additionalProperties", false},
@@ -528,8 +538,10 @@ Schema sweep_schema(const std::vector<PlannerDescription>& planners, bool is_par
   SchemaWriter of_whole = is_part ? of_over : SchemaWriter(true, false);
   Schema whole = is_part ? over : sweep_keys(sweep, of_whole);
   if (!is_part) whole["required"] = {"sweep", "planners"};
-  of_whole.definitions["planner"] =
-      planner_schema(*sweep.find("max_speed_mps"), planners, of_whole);
+  for (const bool of_filters : {false, true}) {
+    of_whole.definitions[of_filters ? "filter" : "planner"] =
+        planner_schema(*sweep.find("max_speed_mps"), planners, of_filters, of_whole);
+  }
   return file_schema(name, sweep.doc, std::move(whole), of_whole, over, of_over);
 }
 

@@ -26,6 +26,7 @@ struct GivenParameter {
 
 constexpr const char* kMaxSpeed = "max_speed_mps";
 constexpr const char* kCamera = "camera";
+constexpr const char* kFilter = "filter";
 constexpr const char* kProcess = "process";  ///< instead of a planner's name: a command starts it
 constexpr const char* kWantsCommand =
     "'process' is a planner that a command starts: it needs parameters: {command: [python3, "
@@ -36,6 +37,7 @@ struct Entry {
   std::string plugin, label;
   std::vector<GivenParameter> parameters;
   std::int64_t camera = kAllCameras;
+  std::vector<Entry> filter = {};  ///< one or none
 };
 
 const ParameterDef* parameter_def(const PlannerDescription& planner, const std::string& name) {
@@ -167,7 +169,7 @@ void refuse_misplaced_parameters(const GivenValue& given, const PlannerDescripti
   for (std::size_t i = 0; i < given.node.keys.size(); ++i) {
     const std::string& name = given.node.keys[i].scalar;
     const bool has_meaning = name == "plugin" || name == "label" || name == "parameters" ||
-                             name == kCamera || name == kMaxSpeed;
+                             name == kCamera || name == kFilter || name == kMaxSpeed;
     if (has_meaning || parameter_def(planner, name) == nullptr) continue;
     mapping.take(name);
     const std::string& scalar = given.node.items[i].scalar;
@@ -219,14 +221,38 @@ void check_sensor(const GivenValue& given, const Entry& entry, const SensorSpec&
                                 : ""));
 }
 
+std::optional<Entry> read_filter(const GivenValue& given, const PlannerDescription& planner);
+
+/// What else a planner's entry has, which a filter's has not.
+struct PlannerKeys {
+  std::optional<GivenValue> camera, filter, max_speed;
+};
+
+void read_planner_keys(const PlannerKeys& keys, const std::optional<GivenValue>& parameters,
+                       Entry& entry) {
+  if (keys.camera) entry.camera = read_camera(*keys.camera, entry.planner);
+  if (keys.filter) {
+    if (auto filter = read_filter(*keys.filter, entry.planner)) {
+      filter->camera = entry.camera;
+      entry.filter.push_back(std::move(*filter));
+    }
+  }
+  if (keys.max_speed && parameters && parameters->node.find(kMaxSpeed) != nullptr) {
+    keys.max_speed->add_problem("is given among the parameters too");
+  } else if (keys.max_speed) {
+    read_parameter(*keys.max_speed, kMaxSpeed, entry);
+  }
+}
+
 /// A mapping's entry, or nothing where its library could not be loaded.
-std::optional<Entry> read_mapping(const GivenValue& given) {
+std::optional<Entry> read_mapping(const GivenValue& given, bool of_filter) {
   Entry entry;
   MappingReader mapping(given);
   const auto plugin = mapping.take("plugin");
   const auto label = mapping.take("label");
   const auto parameters = mapping.take("parameters");
-  const auto camera = mapping.take(kCamera);
+  const auto camera = of_filter ? std::nullopt : mapping.take(kCamera);
+  const auto filter = of_filter ? std::nullopt : mapping.take(kFilter);
   std::optional<PlannerDescription> planner;
   if (!plugin) {
     given.add_problem("lacks 'plugin', the planner's name or file");
@@ -235,31 +261,36 @@ std::optional<Entry> read_mapping(const GivenValue& given) {
     planner = *name == kProcess ? load_command(*plugin, parameters, entry.plugin) : load(*plugin);
   }
   // Of a planner that was not found nobody knows: no second complaint about this key.
-  const bool has_speed = !planner || parameter_def(*planner, kMaxSpeed) != nullptr;
+  const bool has_speed = !of_filter && (!planner || parameter_def(*planner, kMaxSpeed) != nullptr);
   const auto max_speed = has_speed ? mapping.take(kMaxSpeed) : std::nullopt;
   if (planner) refuse_misplaced_parameters(given, *planner, mapping);
   mapping.finish();
   if (label) entry.label = read_label(*label);
   if (!planner) return std::nullopt;
   entry.planner = std::move(*planner);
-  if (camera) entry.camera = read_camera(*camera, entry.planner);
   if (parameters) read_parameters(*parameters, entry);
-  if (max_speed && parameters && parameters->node.find(kMaxSpeed) != nullptr) {
-    max_speed->add_problem("is given among the parameters too");
-  } else if (max_speed) {
-    read_parameter(*max_speed, kMaxSpeed, entry);
-  }
+  read_planner_keys({camera, filter, max_speed}, parameters, entry);
   return entry;
 }
 
-std::optional<Entry> read_entry(const GivenValue& given) {
-  if (given.node.kind == YamlNode::Kind::mapping) return read_mapping(given);
+std::optional<Entry> read_entry(const GivenValue& given, bool of_filter) {
+  if (given.node.kind == YamlNode::Kind::mapping) return read_mapping(given, of_filter);
   if (given.node.kind != YamlNode::Kind::scalar) {
-    return given.add_expected("a planner's name or {plugin, label, parameters}");
+    return given.add_expected(std::string(of_filter ? "a filter" : "a planner") +
+                              "'s name or {plugin, label, parameters}");
   }
   auto planner = load(given);
   if (!planner) return std::nullopt;
   return Entry{std::move(*planner), given.node.scalar, "", {}, kAllCameras};
+}
+
+/// What the planner's commands are to pass through.
+std::optional<Entry> read_filter(const GivenValue& given, const PlannerDescription& planner) {
+  std::optional<Entry> filter = read_entry(given, true);
+  if (!filter) return std::nullopt;
+  const std::string problem = filter_problem(filter->planner, planner);
+  if (!problem.empty()) return given.add_problem(problem);
+  return filter;
 }
 
 /// The planner with these values; `swept` says those of which there are several.
@@ -299,6 +330,25 @@ void add_choices(const Entry& entry, std::size_t at, ParameterValues& given,
   }
 }
 
+/// The planner's choices from `first` on, each with each of its filter's. A filter is part of the
+/// label, except where the user gave one and there is nothing to tell apart.
+void add_filters(const Entry& entry, std::size_t first, std::vector<PlannerChoice>& planners) {
+  if (entry.filter.empty()) return;
+  std::vector<PlannerChoice> filters;
+  ParameterValues values;
+  add_choices(entry.filter.front(), 0, values, "", filters);
+  const std::vector<PlannerChoice> alone(planners.begin() + static_cast<std::ptrdiff_t>(first),
+                                         planners.end());
+  planners.resize(first);
+  for (const PlannerChoice& planner : alone) {
+    for (const PlannerChoice& filter : filters) {
+      PlannerChoice& both = planners.emplace_back(planner);
+      both.filter = filter;
+      if (entry.label.empty() || filters.size() > 1) both.label += " + " + filter.label;
+    }
+  }
+}
+
 /// The sweep's speed limit, where the planner was given none of its own.
 void add_common_speed(const YamlNode& max_speed, const GivenValue& given, Entry& entry) {
   const bool is_given = std::any_of(entry.parameters.begin(), entry.parameters.end(),
@@ -316,7 +366,11 @@ void add_common_speed(const YamlNode& max_speed, const GivenValue& given, Entry&
 bool check_count(const Entry& entry, const GivenValue& given) {
   constexpr std::size_t kMostChoices = 10'000;
   std::size_t total = 1;
-  for (const GivenParameter& parameter : entry.parameters) {
+  std::vector<GivenParameter> parameters = entry.parameters;
+  for (const Entry& filter : entry.filter) {
+    parameters.insert(parameters.end(), filter.parameters.begin(), filter.parameters.end());
+  }
+  for (const GivenParameter& parameter : parameters) {
     total *= parameter.values.size();
     if (total <= kMostChoices) continue;
     given.add_problem("more than " + std::to_string(kMostChoices) + " combinations");
@@ -339,10 +393,17 @@ std::vector<PlannerChoice> read_planners(const GivenValue& given, const YamlNode
   if (entries.empty()) given.add_problem("expected at least one planner");
   for (const GivenValue& one : entries) {
     const std::size_t before = given.reading.problems.size();
-    std::optional<Entry> entry = read_entry(one);
+    std::optional<Entry> entry = read_entry(one, false);
+    if (entry) {
+      const std::string problem = filter_alone_problem(entry->planner);
+      if (!problem.empty()) one.add_problem(problem);
+    }
     if (entry && max_speed != nullptr) add_common_speed(*max_speed, one, *entry);
     if (entry) {
-      for (const SensorSpec& sensor : sensors) check_sensor(one, *entry, sensor);
+      for (const SensorSpec& sensor : sensors) {
+        check_sensor(one, *entry, sensor);
+        for (const Entry& filter : entry->filter) check_sensor(one, filter, sensor);
+      }
       if (!goals.empty() && (entry->planner.needs & AB_INPUT_GOALS) == 0) {
         one.add_problem(entry->planner.name + " can't fly these missions: they have " + goals +
                         ", and it does not declare AB_INPUT_GOALS");
@@ -352,7 +413,10 @@ std::vector<PlannerChoice> read_planners(const GivenValue& given, const YamlNode
     if (!entry || given.reading.problems.size() > before) continue;
     const std::size_t first = planners.size();
     ParameterValues values;
-    if (check_count(*entry, one)) add_choices(*entry, 0, values, "", planners);
+    if (check_count(*entry, one)) {
+      add_choices(*entry, 0, values, "", planners);
+      add_filters(*entry, first, planners);
+    }
     for (std::size_t k = first; k < planners.size(); ++k) {
       const auto [owner, is_new] = label_owners.emplace(planners[k].label, one.path);
       if (is_new) continue;

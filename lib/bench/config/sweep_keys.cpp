@@ -76,10 +76,11 @@ std::vector<FieldTree> own_keys() {
       own_key(
           "planners", FieldKind::other,
           "The planners to compare: names, or {plugin: NAME or ./FILE, label, parameters: {name: "
-          "value or list}, camera, max_speed_mps}.",
+          "value or list}, camera, filter, max_speed_mps}.",
           {{"type", "a name or mapping, or a list of them"},
            {"example", "planners: [straight_line, reactive]"},
            {"or", "planners: [{plugin: ./my_planner.so, label: mine}, ./my_planner.py]"},
+           {"filter", "planners: [{plugin: ego, filter: stopping_distance}]"},
            {"axis", "planners: [{plugin: reactive, parameters: {margin_m: [0.3, 0.6]}}]"},
            {"see",
             "avoidbench planners list, planners describe NAME, config explain NAME.PARAMETER"}}),

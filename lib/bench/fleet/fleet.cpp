@@ -117,7 +117,7 @@ class Fleet {
     const FleetJob& job = task.job;
     const std::string& flown = seat.memory.planner_label;
     const bool is_same =
-        flown == job.planner_label && seat.planner_digest == job.job.spec.planner.file_digest;
+        flown == job.planner_label && seat.planner_digest == flown_digest(job.job.spec.planner);
     const bool may_stay = flown.empty() || (is_same && !job.needs_new_process);
     // A sandbox can't be changed from within: another planner's needs take another process.
     if (!may_stay || job.rules != seat.rules) end_process(seat);
@@ -139,7 +139,7 @@ class Fleet {
                        (words.empty() ? "" : ": " + words));
     }
     seat.memory = {.map = job.map, .planner_label = job.planner_label};
-    seat.planner_digest = job.job.spec.planner.file_digest;
+    seat.planner_digest = flown_digest(job.job.spec.planner);
     seat.silent_s = 0.0;
     seat.task = std::move(task);
     if (!is_sent) take_kill(seat, end);
@@ -157,8 +157,8 @@ class Fleet {
   void take_death(Seat& seat, Death death) {
     add_flight(death, *seat.process);
     constexpr std::size_t kMostFrames = 12;
-    std::vector<std::string> stack =
-        stack_lines(seat.process->notes(), seat.task->job.job.spec.planner.file, kMostFrames);
+    const std::string file = crashed_file(seat.process->notes(), seat.task->job.job.spec.planner);
+    std::vector<std::string> stack = stack_lines(seat.process->notes(), file, kMostFrames);
     end_task(seat, {.death = std::move(death), .stack = std::move(stack)});
   }
 

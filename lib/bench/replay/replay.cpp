@@ -17,7 +17,7 @@ namespace avoidbench {
 namespace {
 
 /// Whether it is the file that the trial was flown with; where it names files, they too.
-bool has_digest(const std::filesystem::path& file, const PlannerChoice& choice) {
+bool has_digest(const std::filesystem::path& file, const PluginChoice& choice) {
   try {
     return digest_now(file, choice.files) == choice.file_digest;
   } catch (const InputError&) {
@@ -26,7 +26,7 @@ bool has_digest(const std::filesystem::path& file, const PlannerChoice& choice) 
 }
 
 /// "sh -c 'rm …'": what a database would have started.
-std::string command_text(const PlannerChoice& choice) {
+std::string command_text(const PluginChoice& choice) {
   std::string text;
   for (const std::string& word : choice.command) {
     const std::string& shown = word == kFileWord ? choice.plugin : word;
@@ -39,7 +39,7 @@ std::string command_text(const PlannerChoice& choice) {
 
 /// The file of the database's choice. Of one that was named by a path its bare name is tried, too.
 /// It is taken only where it is the file that the trial was flown with; so is the run's copy.
-FoundPlanner planner_of_database(const PlannerChoice& choice, const ReplayFiles& files) {
+FoundPlanner planner_of_database(const PluginChoice& choice, const ReplayFiles& files) {
   std::vector<std::string> problems;
   std::vector<std::string> names{choice.plugin};
   // `./my_planner.so` is looked for as `my_planner` too.
@@ -159,9 +159,15 @@ StoredTrial with_files(StoredTrial stored, const ReplayFiles& files) {
 FoundPlanner planner_for(const PlannerChoice& choice, const ReplayFiles& files) {
   // Started as a file of its kind is: no word of the database's is.
   if (!files.planner.empty()) return {.source = find_planner(files.planner, ".")};
-  for (const PlannerChoice& own : files.own_planners) {
-    const bool is_same = own.command == choice.command && own.file_digest == choice.file_digest;
-    if (is_same) return {.source = own.source()};
+  return plugin_for(choice, files);
+}
+
+FoundPlanner plugin_for(const PluginChoice& choice, const ReplayFiles& files) {
+  for (const PlannerChoice& planner : files.own_planners) {
+    for (const PluginChoice* own : plugins_of(planner)) {
+      const bool is_same = own->command == choice.command && own->file_digest == choice.file_digest;
+      if (is_same) return {.source = own->source()};
+    }
   }
   if (choice.command.empty()) return planner_of_database(choice, files);
   throw OptionError("the database names a command as planner " + choice.label + ": " +
@@ -215,7 +221,7 @@ std::string other_library_warning(const PlannerDescription& planner) {
   return "the planner's file is another one than in the stored trial: " + planner.file.string();
 }
 
-std::vector<ParameterValue> usable_values(const PlannerChoice& stored,
+std::vector<ParameterValue> usable_values(const PluginChoice& stored,
                                           const PlannerDescription& planner,
                                           std::vector<std::string>& warnings) {
   ParameterValues given;

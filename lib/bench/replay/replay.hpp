@@ -72,10 +72,12 @@ struct FoundPlanner {
 /// say anything, whatever file they begin with. It has to be in one of the user's own sweeps.
 /// Throws InputError that says what else can be done.
 FoundPlanner planner_for(const PlannerChoice& choice, const ReplayFiles& files);
+/// The same where the user names no planner; of its filter in any case.
+FoundPlanner plugin_for(const PluginChoice& choice, const ReplayFiles& files);
 
 /// The stored values of the parameters that the library declares, and presets of others; what does
 /// not fit is warned of.
-std::vector<ParameterValue> usable_values(const PlannerChoice& choice,
+std::vector<ParameterValue> usable_values(const PluginChoice& choice,
                                           const PlannerDescription& planner,
                                           std::vector<std::string>& warnings);
 

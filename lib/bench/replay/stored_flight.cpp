@@ -3,39 +3,17 @@
 #include <utility>
 
 #include "base/input_error.hpp"
+#include "plugin/planner_table.hpp"
 #include "sweep/recorded_latency.hpp"
 #include "sweep/sweep_spec.hpp"
 #include "trial/goals.hpp"
 
 namespace avoidbench {
+namespace {
 
-const ReplayPlanner& ReplayPlanners::of(const PlannerChoice& choice) {
-  std::string key = choice.plugin + '\n' + choice.file_digest;
-  for (const std::string& word : choice.command) key += '\n' + word;
-  const auto known = planners_.find(key);
-  if (known != planners_.end()) return known->second;
-  const FoundPlanner found = planner_for(choice, files_);
-  ReplayPlanner planner{.description = describe_planner(found.source), .is_kept = found.is_kept};
-  return planners_.emplace(key, std::move(planner)).first->second;
-}
-
-MissionRecord mission_of(const StoredTrial& stored) {
-  MissionRecord mission;
-  mission.index = stored.spec.mission_index;
-  mission.mission = stored.mission;
-  mission.reference_length_m = stored.reference_length_m;
-  mission.leg_lengths_m = stored.leg_lengths_m;
-  return mission;
-}
-
-Job stored_job(StoredTrial stored, const PlannerDescription& planner,
-               std::vector<std::string>& warnings) {
-  PlannerChoice& choice = stored.spec.planner;
-  const std::string goals = goals_demand(stored.spec.mission, stored.mission);
-  if (!goals.empty() && (planner.needs & AB_INPUT_GOALS) == 0) {
-    throw InputError(planner.name + " can't fly this mission: it has " + goals +
-                     ", and the planner does not declare AB_INPUT_GOALS");
-  }
+/// Makes the stored choice that of what was found.
+void find_again(PluginChoice& choice, const PlannerDescription& planner,
+                std::vector<std::string>& warnings) {
   if (planner.file_digest != choice.file_digest) warnings.push_back(other_library_warning(planner));
   // Another library may have other parameters: it is given those that it takes.
   const std::vector<ParameterValue> values = usable_values(choice, planner, warnings);
@@ -51,6 +29,53 @@ Job stored_job(StoredTrial stored, const PlannerDescription& planner,
   choice.file_digest = planner.file_digest;
   choice.files = planner.files;
   choice.command = planner.command;  // of what was found, never of the database
+  choice.needs = planner.needs;
+}
+
+}  // namespace
+
+const ReplayPlanner& ReplayPlanners::of(const PlannerChoice& choice) {
+  std::string key;
+  for (const PluginChoice* plugin : plugins_of(choice)) {
+    key += plugin->plugin + '\n' + plugin->file_digest + '\n';
+    for (const std::string& word : plugin->command) key += word + '\n';
+    key += '\n';
+  }
+  const auto known = planners_.find(key);
+  if (known != planners_.end()) return known->second;
+  const FoundPlanner found = planner_for(choice, files_);
+  ReplayPlanner planner{.description = describe_planner(found.source), .is_kept = found.is_kept};
+  if (choice.filter) {
+    const FoundPlanner filter = plugin_for(*choice.filter, files_);
+    planner.filter = describe_planner(filter.source);
+    planner.is_kept = planner.is_kept || filter.is_kept;
+  }
+  return planners_.emplace(key, std::move(planner)).first->second;
+}
+
+MissionRecord mission_of(const StoredTrial& stored) {
+  MissionRecord mission;
+  mission.index = stored.spec.mission_index;
+  mission.mission = stored.mission;
+  mission.reference_length_m = stored.reference_length_m;
+  mission.leg_lengths_m = stored.leg_lengths_m;
+  return mission;
+}
+
+Job stored_job(StoredTrial stored, const ReplayPlanner& planner,
+               std::vector<std::string>& warnings) {
+  PlannerChoice& choice = stored.spec.planner;
+  const PlannerDescription& own = planner.description;
+  const std::string goals = goals_demand(stored.spec.mission, stored.mission);
+  if (const std::string problem = filter_alone_problem(own); !problem.empty()) {
+    throw InputError(problem);
+  }
+  if (!goals.empty() && (own.needs & AB_INPUT_GOALS) == 0) {
+    throw InputError(own.name + " can't fly this mission: it has " + goals +
+                     ", and the planner does not declare AB_INPUT_GOALS");
+  }
+  find_again(choice, own, warnings);
+  if (choice.filter) find_again(*choice.filter, planner.filter.value(), warnings);
   return {.token = make_token(),
           .spec = stored.spec,
           .mission_count = 0,
@@ -58,13 +83,14 @@ Job stored_job(StoredTrial stored, const PlannerDescription& planner,
           .recorded_latency_s = recorded_latencies(stored.spec, stored.row.record)};
 }
 
-FleetJob fleet_job(std::size_t index, Job job, const PlannerDescription& planner) {
+FleetJob fleet_job(std::size_t index, Job job) {
   const std::string label = job.spec.planner.label;
+  const std::uint32_t needs = needs_of(job.spec.planner);
   return {.index = index,
           .job = std::move(job),
           .planner_label = label,
-          .rules = sandbox_rules(planner.needs),
-          .needs_new_process = (planner.needs & AB_USES_GLOBALS) != 0};
+          .rules = sandbox_rules(needs),
+          .needs_new_process = (needs & AB_USES_GLOBALS) != 0};
 }
 
 StoredFlight stored_flight(StoredTrial stored, ReplayPlanners& planners) {
@@ -78,8 +104,7 @@ StoredFlight stored_flight(StoredTrial stored, ReplayPlanners& planners) {
     flight.warnings.emplace_back(
         "the trial was flown by a program whose results differ: see CHANGELOG.md, Results change");
   }
-  flight.job = fleet_job(0, stored_job(flight.stored, planner.description, flight.warnings),
-                         planner.description);
+  flight.job = fleet_job(0, stored_job(flight.stored, planner, flight.warnings));
   return flight;
 }
 
@@ -100,13 +125,15 @@ TrialRecord record_of(const JobEnd& end, const PlannerChoice& planner) {
 }
 
 std::string under_flown_name(std::string text, const PlannerChoice& planner) {
-  const std::filesystem::path file = planner.file;
-  // Then it was loaded under its own name.
-  if (file.stem() != planner.file_digest) return text;
-  const std::string kept = file.filename().string();
-  const std::string flown = std::filesystem::path(planner.plugin).stem().string() + ".so";
-  for (std::size_t at = 0; (at = text.find(kept, at)) != std::string::npos; at += flown.size()) {
-    text.replace(at, kept.size(), flown);
+  for (const PluginChoice* plugin : plugins_of(planner)) {
+    const std::filesystem::path file = plugin->file;
+    // Then it was loaded under its own name.
+    if (file.stem() != plugin->file_digest) continue;
+    const std::string kept = file.filename().string();
+    const std::string flown = std::filesystem::path(plugin->plugin).stem().string() + ".so";
+    for (std::size_t at = 0; (at = text.find(kept, at)) != std::string::npos; at += flown.size()) {
+      text.replace(at, kept.size(), flown);
+    }
   }
   return text;
 }

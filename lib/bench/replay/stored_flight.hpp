@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,10 +11,11 @@
 /// Stored trials made ready to be flown again in worker processes.
 namespace avoidbench {
 
-/// The planner that the trials of one choice are flown again with.
+/// The planner that the trials of one choice are flown again with, and its filter.
 struct ReplayPlanner {
   PlannerDescription description;
-  bool is_kept = false;  ///< the copy that the run kept
+  bool is_kept = false;  ///< the copy that the run kept, of one of them
+  std::optional<PlannerDescription> filter = {};
 };
 
 /// The planners of stored trials, each found and described once.
@@ -36,11 +38,11 @@ MissionRecord mission_of(const StoredTrial& stored);
 
 /// The job of flying a stored trial again with this planner, and parameters that it takes; `stored`
 /// is that of with_files(). Why it may differ from the stored flight is added to `warnings`.
-Job stored_job(StoredTrial stored, const PlannerDescription& planner,
+Job stored_job(StoredTrial stored, const ReplayPlanner& planner,
                std::vector<std::string>& warnings);
 
-/// The same for a fleet, under a number of the caller's.
-FleetJob fleet_job(std::size_t index, Job job, const PlannerDescription& planner);
+/// A job of stored_job() for a fleet, under a number of the caller's.
+FleetJob fleet_job(std::size_t index, Job job);
 
 /// A stored trial that is flown again as it was.
 struct StoredFlight {

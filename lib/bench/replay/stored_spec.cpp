@@ -79,6 +79,8 @@ void check_value(const json& given, const std::string& path, const T& value, Ran
     if (!given.is_string() || !enum_from_text<T>(given.get<std::string>())) {
       throw BadText(path + " is nothing that this avoidbench knows");
     }
+  } else if constexpr (detail::IsOptional<T>::value) {
+    if (!given.is_null()) check_value(given, path, typename T::value_type{}, range);
   } else if constexpr (detail::IsSequence<T>::value) {
     // Against a damaged spec: a list in a spec is short.
     constexpr std::size_t kMost = 10000;

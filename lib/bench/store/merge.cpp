@@ -140,7 +140,7 @@ void check_agreement(const Database& into, const Database& from) {
       {"trial", differing_rows("trials", "trial_key",
                                differs(results, "m", "s") + " OR " +
                                    specs_differ("'$.map.file', '$.wind.field.file', "
-                                                "'$.planner.plugin'"))},
+                                                "'$.planner.plugin', '$.planner.filter.plugin'"))},
       {"the flight of trial", differing_rows("trajectories", "trial_key",
                                              all_of("trajectories", {"trial_key", "samples"}))},
       {"the calls of trial", differing_rows("plan_calls", "trial_key",

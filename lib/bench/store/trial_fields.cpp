@@ -56,7 +56,8 @@ constexpr NamedField kNamedFields[] = {
     {"vehicle", "json_extract(t.spec_json, '$.vehicle.name')"},
 };
 
-constexpr std::string_view kMapPrefix = "map.", kParameterPrefix = "planner.";
+constexpr std::string_view kMapPrefix = "map.", kParameterPrefix = "planner.",
+                           kFilterPrefix = "filter.";
 /// No parameters, though "planner." stands before them: fields of the choice itself.
 constexpr std::string_view kOwnOfPlanner[] = {"label", "plugin", "file_digest"};
 
@@ -91,14 +92,17 @@ std::string sql_of(const Database& db, const std::string& field) {
     if (metric.name == field) return "t." + sql_name(field);
   }
   if (field.starts_with(kParameterPrefix)) {
-    const std::string name = field.substr(kParameterPrefix.size());
+    std::string name = field.substr(kParameterPrefix.size());
+    const bool of_filter = name.starts_with(kFilterPrefix);
+    if (of_filter) name.erase(0, kFilterPrefix.size());
     if (std::find(std::begin(kOwnOfPlanner), std::end(kOwnOfPlanner), name) ==
         std::end(kOwnOfPlanner)) {
       // Parameters are a list of {name, number, text, is_text} in the spec.
       return "(SELECT CASE WHEN json_extract(value, '$.is_text') THEN json_extract(value, "
              "'$.text') ELSE json_extract(value, '$.number') END FROM json_each(t.spec_json, "
-             "'$.planner.parameters') WHERE json_extract(value, '$.name') = " +
-             in_quotes(name, '\'') + ")";
+             "'$.planner." +
+             std::string(of_filter ? kFilterPrefix : "") +
+             "parameters') WHERE json_extract(value, '$.name') = " + in_quotes(name, '\'') + ")";
     }
   }
   if (is_dotted(field)) {
@@ -136,8 +140,15 @@ std::vector<std::string> paths_of(const Database& db, const std::string& trial_k
     const nlohmann::json spec = stored_object(s.text(0));
     append_paths(spec, "", paths);
     if (!spec.contains("planner")) return paths;
-    for (const auto& parameter : spec["planner"].value("parameters", nlohmann::json::array())) {
-      paths.push_back(std::string(kParameterPrefix) + parameter.value("name", ""));
+    const auto add_parameters = [&paths](const nlohmann::json& plugin, const std::string& prefix) {
+      for (const auto& parameter : plugin.value("parameters", nlohmann::json::array())) {
+        paths.push_back(prefix + parameter.value("name", ""));
+      }
+    };
+    const std::string prefix(kParameterPrefix);
+    add_parameters(spec["planner"], prefix);
+    if (spec["planner"].contains("filter")) {
+      add_parameters(spec["planner"]["filter"], prefix + std::string(kFilterPrefix));
     }
   } catch (const nlohmann::json::exception&) {
     s.damaged("spec_json is no spec of a trial");

@@ -18,12 +18,12 @@ FileState file_state(const std::filesystem::path& file) {
           .changed_ns = ns(found.st_ctim)};
 }
 
-std::vector<std::filesystem::path> files_of(const PlannerChoice& planner) {
-  const std::filesystem::path own = planner.file;
+std::vector<std::filesystem::path> files_of(const PluginChoice& plugin) {
+  const std::filesystem::path own = plugin.file;
   std::vector<std::filesystem::path> files{own};
   // The first of a planner's files is its own.
-  for (std::size_t i = 1; i < planner.files.size(); ++i) {
-    files.push_back((own.parent_path() / planner.files[i].name).lexically_normal());
+  for (std::size_t i = 1; i < plugin.files.size(); ++i) {
+    files.push_back((own.parent_path() / plugin.files[i].name).lexically_normal());
   }
   return files;
 }

@@ -23,6 +23,6 @@ struct FileState {
 FileState file_state(const std::filesystem::path& file);
 
 /// The planner's file and those that it names.
-std::vector<std::filesystem::path> files_of(const PlannerChoice& planner);
+std::vector<std::filesystem::path> files_of(const PluginChoice& plugin);
 
 }  // namespace avoidbench

@@ -14,9 +14,13 @@ using nlohmann::json;
 json keyed_json(const TrialSpec& spec) {
   TrialSpec keyed = without_unused_latency(spec);
   // Where files lie says nothing of the result: their digests stand for them.
-  keyed.planner.file.clear();
-  keyed.planner.plugin.clear();
-  keyed.planner.files.clear();  // file_digest is made of them
+  const auto forget_files = [](PluginChoice& plugin) {
+    plugin.file.clear();
+    plugin.plugin.clear();
+    plugin.files.clear();  // file_digest is made of them
+  };
+  forget_files(keyed.planner);
+  if (keyed.planner.filter) forget_files(*keyed.planner.filter);
   keyed.wind.field.file.clear();
   json fields = sparse_json(keyed);
   // Which kind of map has a file, the variant knows.

@@ -57,7 +57,7 @@ void commit_map(Run& run, MapPlan& map, MapRecord record) {
 
 /// A library that is written over while it is flown flies neither the old planner nor the new one,
 /// or crashes: such a trial is nobody's.
-void require_unchanged(Run& run, const PlannerChoice& planner) {
+void require_unchanged(Run& run, const PluginChoice& planner) {
   // Size, inode and times first: a digest of the files for each trial would cost more than short
   // flights do.
   for (const std::filesystem::path& file : files_of(planner)) {
@@ -76,7 +76,7 @@ void require_unchanged(Run& run, const PlannerChoice& planner) {
 void commit_trial(Run& run, const Assignment& assignment, TrialRecord record,
                   std::vector<double> metrics, double wall_time_s) {
   const TrialSpec spec = run.schedule.trials[*assignment.trial].spec();
-  require_unchanged(run, spec.planner);
+  for (const PluginChoice* plugin : plugins_of(spec.planner)) require_unchanged(run, *plugin);
   // All levels of a limit's field together: there are dozens.
   PlannerProgress& planner =
       run.progress.planners[label_without(spec.planner.label, run.sweep.limit)];
@@ -86,7 +86,7 @@ void commit_trial(Run& run, const Assignment& assignment, TrialRecord record,
                           .sweep = run.sweep.name,
                           .map_key = run.schedule.maps[assignment.map].key,
                           .planner_label = spec.planner.label,
-                          .planner_file_digest = spec.planner.file_digest,
+                          .planner_file_digest = flown_digest(spec.planner),
                           .mission_index = spec.mission_index,
                           .spec_json = trial_json(spec),
                           .record = std::move(record),

@@ -261,11 +261,13 @@ std::vector<FlownFile> flown_files(const SweepSpec& sweep, const std::vector<Pla
                                    bool with_maps) {
   std::map<std::string, FlownFile> files;  // by digest
   for (const PlannerChoice& planner : sweep.planners) {
-    // A copy of one of several files alone is no planner.
-    if (!planner.files.empty()) continue;
-    files[planner.file_digest] = {.file = planner.file,
-                                  .digest = planner.file_digest,
-                                  .is_program = PlannerLibrary::is_program(planner.source())};
+    for (const PluginChoice* plugin : plugins_of(planner)) {
+      // A copy of one of several files alone is no planner.
+      if (!plugin->files.empty()) continue;
+      files[plugin->file_digest] = {.file = plugin->file,
+                                    .digest = plugin->file_digest,
+                                    .is_program = PlannerLibrary::is_program(plugin->source())};
+    }
   }
   std::set<const TrialSpec*> seen;
   for (const PlannedTrial& trial : trials) {
@@ -310,11 +312,14 @@ RunSummary run_sweep(const SweepSpec& sweep, const RunRow& provenance, Database&
           .last_words = {}};
   for (const PlannerChoice& planner : sweep.planners) {
     // From here on a changed file ends the run, see require_unchanged().
-    for (const std::filesystem::path& file : files_of(planner)) {
-      run.planner_files[file.string()] = file_state(file);
+    for (const PluginChoice* plugin : plugins_of(planner)) {
+      for (const std::filesystem::path& file : files_of(*plugin)) {
+        run.planner_files[file.string()] = file_state(file);
+      }
     }
-    run.sandbox_rules[planner.label] = sandbox_rules(planner.needs);
-    if ((planner.needs & AB_USES_GLOBALS) != 0) run.planners_with_globals.insert(planner.label);
+    const std::uint32_t needs = needs_of(planner);
+    run.sandbox_rules[planner.label] = sandbox_rules(needs);
+    if ((needs & AB_USES_GLOBALS) != 0) run.planners_with_globals.insert(planner.label);
   }
   std::vector<PlannedTrial> trials = expand(sweep);
   const std::int64_t revision =

@@ -42,6 +42,11 @@ Values planner_values(const json& planner) {
   Values values{{"plugin", planner.value("plugin", json()).dump()},
                 {"file", planner.value("file_digest", json()).dump()}};
   if (planner.contains("camera")) values["camera"] = planner.at("camera").dump();
+  if (planner.contains("filter")) {
+    for (const auto& [name, value] : planner_values(planner.at("filter"))) {
+      values["filter." + name] = value;
+    }
+  }
   for (const json& parameter : planner.value("parameters", json::array())) {
     const bool is_text = parameter.value("is_text", false);
     values[parameter.value("name", "")] =

@@ -72,6 +72,17 @@ nlohmann::json base_json(const SweepSpec& sweep, const std::vector<PlannedTrial>
   return base;
 }
 
+/// The planner's file_digest says which library it was, wherever that lay; so does the filter's. No
+/// filter is none: databases have the bytes that they had before there were any.
+void forget_plugin_files(nlohmann::json& planner) {
+  planner.erase("file");
+  if (planner["filter"].is_null()) {
+    planner.erase("filter");
+  } else {
+    planner["filter"].erase("file");
+  }
+}
+
 }  // namespace
 
 /// Databases keep no paths: they are of one machine, and may tell of its owner.
@@ -88,8 +99,7 @@ void forget_folders(nlohmann::json& trial) {
 std::string trial_json(const TrialSpec& spec) {
   // Keys are sorted by name: equal specs have equal texts.
   nlohmann::json canonical = spec_to_json(without_unused_latency(spec));
-  // The planner's file_digest says which library it was, wherever that lay.
-  canonical["planner"].erase("file");
+  forget_plugin_files(canonical["planner"]);
   forget_folders(canonical);
   return canonical.dump();
 }
@@ -99,9 +109,9 @@ std::string sweep_json(const SweepSpec& sweep, const std::vector<PlannedTrial>& 
   for (const Axis& axis : sweep.axes) axes.push_back(axis_json(axis));
   for (const PlannerChoice& planner : sweep.planners) {
     nlohmann::json choice = spec_to_json(planner);
-    choice.erase("file");
+    forget_plugin_files(choice);
     // Reports say of whom it was not only its sensors that it flew by.
-    if ((planner.needs & AB_INPUT_TRACKS) != 0) choice["sees_tracks"] = true;
+    if ((needs_of(planner) & AB_INPUT_TRACKS) != 0) choice["sees_tracks"] = true;
     planners.push_back(choice);
   }
   nlohmann::json resolved{{"name", sweep.name},
@@ -119,25 +129,31 @@ std::string sweep_json(const SweepSpec& sweep, const std::vector<PlannedTrial>& 
 }
 
 PlannerRow planner_row(const PlannerChoice& choice) {
-  // The planner is asked again, and may have been replaced meanwhile.
-  const PlannerDescription planner = describe_planner(choice.source());
-  if (planner.file_digest != choice.file_digest) {
-    throw InputError({.file = choice.file, .message = "changed since the sweep was read"});
-  }
+  PlannerRow row;
+  row.label = choice.label;
+  row.file_digest = flown_digest(choice);
   nlohmann::json parameters = nlohmann::json::object();
-  for (const ParameterChoice& parameter : choice.parameters) {
-    if (parameter.is_text) {
-      parameters[parameter.name] = parameter.text;
-    } else {
-      parameters[parameter.name] = parameter.number;
+  for (const PluginChoice* plugin : plugins_of(choice)) {
+    const bool is_filter = plugin != &choice;
+    // It is asked again, and may have been replaced meanwhile.
+    const PlannerDescription planner = describe_planner(plugin->source());
+    if (planner.file_digest != plugin->file_digest) {
+      throw InputError({.file = plugin->file, .message = "changed since the sweep was read"});
     }
+    for (const ParameterChoice& parameter : plugin->parameters) {
+      nlohmann::json& value = parameters[(is_filter ? "filter." : "") + parameter.name];
+      if (parameter.is_text) {
+        value = parameter.text;
+      } else {
+        value = parameter.number;
+      }
+    }
+    row.name += (is_filter ? " + " : "") + planner.name;
+    row.version += (is_filter ? " + " : "") + planner.version;
+    row.is_privileged = row.is_privileged || (planner.needs & AB_INPUT_WORLD) != 0;
   }
-  return {.label = choice.label,
-          .name = planner.name,
-          .version = planner.version,
-          .file_digest = choice.file_digest,
-          .parameters_json = parameters.dump(),
-          .is_privileged = (planner.needs & AB_INPUT_WORLD) != 0};
+  row.parameters_json = parameters.dump();
+  return row;
 }
 
 }  // namespace avoidbench

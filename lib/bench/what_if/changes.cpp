@@ -22,9 +22,7 @@ std::vector<CameraSpec*> cameras_of(SensorSpec& sensor) {
   return cameras;
 }
 
-bool has_need(const FlownTrial& flown, std::uint32_t bits) {
-  return (flown.planner.needs & bits) != 0;
-}
+bool has_need(const FlownTrial& flown, std::uint32_t bits) { return (flown.needs & bits) != 0; }
 
 std::string change_nothing(const FlownTrial&, ChangedTrial&) { return ""; }
 
@@ -113,7 +111,7 @@ std::string fly_slower(const FlownTrial& flown, ChangedTrial& trial) {
 }
 
 std::string widen_view(const FlownTrial& flown, ChangedTrial& trial) {
-  if (!sees_images(flown.planner.needs)) return "the planner sees no images";
+  if (!sees_images(flown.needs)) return "the planner sees no images";
   if (cameras_of(trial.spec.sensor).empty()) return "the sensor has no camera";
   constexpr double kWidest_deg = 170.0;  // of the field
   constexpr std::int64_t kMost_px = 4096;

@@ -24,6 +24,7 @@ struct ChangedTrial {
 struct FlownTrial {
   const TrialRecord& record;  ///< as it was flown
   const PlannerDescription& planner;
+  std::uint32_t needs = planner.needs;  ///< of it and of its filter
 };
 
 /// One thing that can be changed.

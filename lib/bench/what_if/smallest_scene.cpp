@@ -89,8 +89,8 @@ struct SceneEnd {
 /// Flies the trial on maps that are files.
 class SceneFlights {
  public:
-  SceneFlights(const SceneRequest& request, Job job, const PlannerDescription& planner, World world)
-      : request_(request), job_(std::move(job)), planner_(planner), world_(std::move(world)) {}
+  SceneFlights(const SceneRequest& request, Job job, World world)
+      : request_(request), job_(std::move(job)), world_(std::move(world)) {}
 
   const World& world() const { return world_; }
   std::int64_t count() const { return count_; }
@@ -167,7 +167,7 @@ class SceneFlights {
       if (index == end) return std::nullopt;
       const std::size_t now = index++;
       tried[now] = request_.folder / ("tried_" + std::to_string(now) + ".glb");
-      FleetJob flight = fleet_job(now, job_, planner_);
+      FleetJob flight = fleet_job(now, job_);
       flight.map = now;
       flight.job.spec = write_map(sets[now], tried[now]);
       return flight;
@@ -199,7 +199,6 @@ class SceneFlights {
 
   const SceneRequest& request_;
   Job job_;
-  const PlannerDescription& planner_;
   World world_;
   std::map<IndexSet, SceneEnd> ends_;
   std::set<std::pair<std::int64_t, IndexSet>> counted_;
@@ -226,9 +225,8 @@ SmallestScene smallest_scene(const SceneRequest& request) {
   check_scene_request(request);
   std::vector<std::string> warnings;
   const StoredTrial stored = with_files(request.stored, request.files);
-  const PlannerDescription planner =
-      describe_planner(planner_for(stored.spec.planner, request.files).source);
-  Job job = stored_job(stored, planner, warnings);
+  ReplayPlanners planners(request.files);
+  Job job = stored_job(stored, planners.of(stored.spec.planner), warnings);
   // Its goals are listed from here on.
   job.spec.mission.waypoints = 0;
   job.spec.mission.return_to_start = false;
@@ -236,7 +234,7 @@ SmallestScene smallest_scene(const SceneRequest& request) {
   const std::vector<Sample>& path = stored.row.record.samples;
   World world = standing_at(flown_world(stored.spec, job.mission->mission),
                             path.empty() ? 0.0 : path.back().time_s);
-  SceneFlights flights(request, std::move(job), planner, std::move(world));
+  SceneFlights flights(request, std::move(job), std::move(world));
   const IndexSet all = by_distance(flights.world(), path);
   // Mission 0 of a list of one if that fails, too; else as many as keep the number, from which
   // noise follows.

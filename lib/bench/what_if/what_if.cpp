@@ -35,10 +35,11 @@ std::vector<double> repeated_latencies(const std::vector<double>& recorded_s,
 }
 
 PreparedFlight prepared(const StoredTrial& stored, const Change& change,
-                        const PlannerDescription& planner, std::vector<std::string>& warnings) {
+                        const ReplayPlanner& planner, std::vector<std::string>& warnings) {
   PreparedFlight flight{.job = stored_job(stored, planner, warnings), .not_applicable = {}};
   ChangedTrial trial{.spec = flight.job.spec};
-  flight.not_applicable = change.apply({stored.row.record, planner}, trial);
+  flight.not_applicable =
+      change.apply({stored.row.record, planner.description, needs_of(trial.spec.planner)}, trial);
   flight.job.spec = std::move(trial.spec);
   flight.job.change = trial.flight;
   if (!is_measured(flight.job.spec.latency)) {
@@ -48,6 +49,14 @@ PreparedFlight prepared(const StoredTrial& stored, const Change& change,
         repeated_latencies(*flight.job.recorded_latency_s, flight.job.spec);
   }
   return flight;
+}
+
+/// What flown_digest() is of what it was found as.
+std::string digest_of(const ReplayPlanner& planner) {
+  PlannerChoice found;
+  found.file_digest = planner.description.file_digest;
+  if (planner.filter) found.filter.emplace().file_digest = planner.filter->file_digest;
+  return flown_digest(found);
 }
 
 /// Whether the same flight must come out: not where a machine's time decided at which call it
@@ -107,9 +116,10 @@ WhatIfPlan plan_what_ifs(const Database& database, const WhatIfRequest& request,
     const TrialRecord& record = stored.row.record;
     const bool is_of_this_program = trial_key(stored.spec) == listing.key;
     of_other_program += is_of_this_program ? 0 : 1;
-    const PlannerDescription& planner = planners.of(stored.spec.planner).description;
-    const bool is_repeated = is_of_this_program && must_repeat(record) &&
-                             planner.file_digest == stored.spec.planner.file_digest;
+    const ReplayPlanner& planner = planners.of(stored.spec.planner);
+    const std::string digest = digest_of(planner);
+    const bool is_repeated =
+        is_of_this_program && must_repeat(record) && digest == flown_digest(stored.spec.planner);
     plan.trials.push_back({.id = listing.id,
                            .key = listing.key,
                            .planner_label = listing.planner_label,
@@ -128,7 +138,7 @@ WhatIfPlan plan_what_ifs(const Database& database, const WhatIfRequest& request,
       planned.not_applicable = std::move(flight.not_applicable);
       const auto row = rows.find({listing.key, std::string(change->name)});
       const bool is_there = planned.not_applicable.empty() && row != rows.end() &&
-                            row->second.planner_digest == planner.file_digest;
+                            row->second.planner_digest == digest;
       if (is_there) planned.row = row->second;
     }
   }
@@ -163,9 +173,9 @@ WhatIfRun fly_what_ifs(WhatIfPlan& plan, Database& database, const WhatIfSource&
     const WhatIfTrial& trial = plan.trials[planned.trial];
     const StoredTrial stored = with_files(source.read(database, trial.key), source.files);
     std::vector<std::string> warnings;  // told by the plan
-    const PlannerDescription& planner = planners.of(stored.spec.planner).description;
+    const ReplayPlanner& planner = planners.of(stored.spec.planner);
     PreparedFlight flight = prepared(stored, *planned.change, planner, warnings);
-    FleetJob job = fleet_job(index, std::move(flight.job), planner);
+    FleetJob job = fleet_job(index, std::move(flight.job));
     job.map = assignment->map;
     job.planner_label = trial.planner_label;
     return job;
@@ -188,7 +198,7 @@ WhatIfRun fly_what_ifs(WhatIfPlan& plan, Database& database, const WhatIfSource&
                    .reason = record.reason,
                    .end_time_s = record.end_time_s,
                    .program_version = source.program_version,
-                   .planner_digest = job.job.spec.planner.file_digest,
+                   .planner_digest = flown_digest(job.job.spec.planner),
                    .record_digest = record_digest(record)};
     database.add_what_if(*planned.row);
   };

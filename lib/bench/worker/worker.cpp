@@ -98,17 +98,18 @@ void keep_from_children(const std::array<int, 3>& fds) {
 }
 
 /// All that a planner's instance is made from.
-std::string instance_key(const TrialSpec& spec) {
+std::string instance_key(const TrialSpec& spec, const PluginChoice& plugin) {
   // Not latency, wind or mission: a planner is not told of them at creation (see ab_mission).
-  return spec_to_json(spec.planner).dump() + spec_to_json(spec.vehicle).dump() +
-         spec_to_json(spec.sensor).dump() + spec_to_json(spec.rates).dump();
+  return spec_to_json(plugin).dump() + std::to_string(spec.planner.camera) +
+         spec_to_json(spec.vehicle).dump() + spec_to_json(spec.sensor).dump() +
+         spec_to_json(spec.rates).dump();
 }
 
 constexpr const char* kFileChanged = "the planner's file changed during the run";
 
-void require_unchanged(const PlannerChoice& planner) {
-  if (digest_now(planner.file, planner.files) == planner.file_digest) return;
-  throw InputError({.file = planner.file, .message = kFileChanged});
+void require_unchanged(const PluginChoice& plugin) {
+  if (digest_now(plugin.file, plugin.files) == plugin.file_digest) return;
+  throw InputError({.file = plugin.file, .message = kFileChanged});
 }
 
 /// What those who look at a flight see: the map with the movers of the job's mission.
@@ -143,7 +144,8 @@ struct Worker::Internals {
   LookoutMakers lookouts;
 
   const MapScene& map_of(const TrialSpec& spec);
-  PlannerInstance& instance_of(const TrialSpec& spec);
+  PlannerInstance& instance_of(const TrialSpec& spec, const PluginChoice& plugin);
+  Pilot pilot_of(const TrialSpec& spec);
   TrialRecord fly(const Job& job, const Scene& scene, const World& flown_world,
                   std::optional<Lookout>& lookout);
   TrialObserver bookkeeper(const Lookout* lookout);
@@ -160,21 +162,26 @@ const MapScene& Worker::Internals::map_of(const TrialSpec& spec) {
   return *map;
 }
 
-PlannerInstance& Worker::Internals::instance_of(const TrialSpec& spec) {
-  const std::string key = instance_key(spec);
+PlannerInstance& Worker::Internals::instance_of(const TrialSpec& spec, const PluginChoice& plugin) {
+  const std::string key = instance_key(spec, plugin);
   if (const auto kept = instances.find(key); kept != instances.end()) return kept->second;
-  const std::pair name(spec.planner.file, spec.planner.command);
+  const std::pair name(plugin.file, plugin.command);
   auto library = libraries.find(name);
   if (library == libraries.end()) {
-    library = libraries.emplace(name, PlannerLibrary::load(spec.planner.source(), &clock)).first;
+    library = libraries.emplace(name, PlannerLibrary::load(plugin.source(), &clock)).first;
   }
   // Loaded now, flown under the sweep's digest: they must be the same file.
-  if (library->second.description().file_digest != spec.planner.file_digest) {
-    throw InputError({.file = spec.planner.file, .message = kFileChanged});
+  if (library->second.description().file_digest != plugin.file_digest) {
+    throw InputError({.file = plugin.file, .message = kFileChanged});
   }
-  PlannerInstance made(library->second, planner_setup(spec), parameter_values(spec.planner),
-                       &clock);
+  PlannerInstance made(library->second, planner_setup(spec), parameter_values(plugin), &clock);
   return instances.emplace(key, std::move(made)).first->second;
+}
+
+Pilot Worker::Internals::pilot_of(const TrialSpec& spec) {
+  PlannerInstance& planner = instance_of(spec, spec.planner);
+  if (!spec.planner.filter) return planner;
+  return {planner, &instance_of(spec, *spec.planner.filter)};
 }
 
 std::optional<Lookout> Worker::Internals::lookout_of(const Job& job, const World& world) {
@@ -185,40 +192,42 @@ std::optional<Lookout> Worker::Internals::lookout_of(const Job& job, const World
 /// `lookout` gets what has looked on, where the job asks for one; it looks at `flown_world`.
 TrialRecord Worker::Internals::fly(const Job& job, const Scene& scene, const World& flown_world,
                                    std::optional<Lookout>& lookout) {
-  PlannerInstance* planner = nullptr;
+  std::optional<Pilot> made;
   try {
-    planner = &instance_of(job.spec);
+    made = pilot_of(job.spec);
   } catch (const InputError& error) {
-    require_unchanged(job.spec.planner);  // else it is no error of this planner
+    // Else it is no error of these.
+    for (const PluginChoice* plugin : plugins_of(job.spec.planner)) require_unchanged(*plugin);
     TrialRecord record;
     record.outcome = Outcome::planner_error;
     record.reason = error.what();
     return record;
   }
+  const Pilot& pilot = *made;
   const std::vector<double>* recorded_s =
       job.recorded_latency_s ? &*job.recorded_latency_s : nullptr;
-  planner->want_drawings(lookout && lookout->wants_drawings);
-  if (lookout && lookout->logged) lookout->logged(planner->take_log());
-  if ((planner->needs() & AB_INPUT_WORLD) != 0) {
-    planner->show_world(known_world(job.spec, scene, job.mission->mission));
+  want_drawings(pilot, lookout && lookout->wants_drawings);
+  if (lookout && lookout->logged) lookout->logged(take_log(pilot));
+  if ((needs(pilot) & AB_INPUT_WORLD) != 0) {
+    show_world(pilot, known_world(job.spec, scene, job.mission->mission));
   }
   const auto flown = [&] {
-    return run_trial(job.spec, scene, job.mission->mission, *planner,
+    return run_trial(job.spec, scene, job.mission->mission, pilot,
                      bookkeeper(lookout ? &*lookout : nullptr), recorded_s, job.change);
   };
   TrialRecord record = flown();
-  const auto was_killed = [&] {
-    return record.outcome == Outcome::planner_crashed && planner->was_killed();
+  const auto is_killed = [&] {
+    return record.outcome == Outcome::planner_crashed && was_killed(pilot);
   };
-  if (was_killed()) {
+  if (is_killed()) {
     // By somebody else, maybe, as a worker may be: flown again. A second time it counts, unless a
     // limit of CPU time ends programs whatever they do.
     if (journal) journal->restart();
     lookout = lookout_of(job, flown_world);
     record = flown();
-    if (was_killed() && has_cpu_limit()) end_from_outside(SIGXCPU);
+    if (is_killed() && has_cpu_limit()) end_from_outside(SIGXCPU);
   }
-  if (lookout && lookout->logged) lookout->logged(planner->take_log());
+  if (lookout && lookout->logged) lookout->logged(take_log(pilot));
   return record;
 }
 

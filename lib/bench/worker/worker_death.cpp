@@ -22,6 +22,12 @@ Death broken_pipes() { return {.reason = "the worker's own pipes were closed or 
 
 Death too_much_memory() { return {.reason = "the worker used more memory than its limit allows"}; }
 
+std::string crashed_file(const std::string& notes, const PlannerChoice& planner) {
+  const bool is_filter = planner.filter && crash_places(notes, planner.file).empty() &&
+                         !crash_places(notes, planner.filter->file).empty();
+  return is_filter ? planner.filter->file : planner.file;
+}
+
 Death death_of(const ProcessEnd& end, const std::string& notes, const PlannerChoice& planner) {
   switch (end.exit_code) {
     // The worker ends itself with these codes, see worker.hpp; any other end is the planner's
@@ -41,7 +47,7 @@ Death death_of(const ProcessEnd& end, const std::string& notes, const PlannerCho
       break;
   }
   // The place in the planner, if its stack could be written.
-  const std::string site = crash_site(notes, planner.file);
+  const std::string site = crash_site(notes, crashed_file(notes, planner));
   return {.reason = "the worker ended by " + end.text + (site.empty() ? "" : " in " + site)};
 }
 

@@ -26,6 +26,10 @@ inline constexpr std::string_view kCallTimeout =
 /// a cluster.
 bool is_from_outside(const ProcessEnd& end);
 
+/// The planner's file, or its filter's where the stack in the worker's notes has a place of that
+/// alone.
+std::string crashed_file(const std::string& notes, const PlannerChoice& planner);
+
 /// What the end of a worker makes of the trial that it flew. `notes` are the worker's.
 Death death_of(const ProcessEnd& end, const std::string& notes, const PlannerChoice& planner);
 Death broken_pipes();

@@ -68,9 +68,9 @@ PlannerSetup planner_setup(const TrialSpec& spec) {
   return setup;
 }
 
-std::vector<ParameterValue> parameter_values(const PlannerChoice& planner) {
+std::vector<ParameterValue> parameter_values(const PluginChoice& plugin) {
   std::vector<ParameterValue> values;
-  for (const ParameterChoice& choice : planner.parameters) {
+  for (const ParameterChoice& choice : plugin.parameters) {
     values.push_back({.number = choice.number, .text = choice.text});
   }
   return values;

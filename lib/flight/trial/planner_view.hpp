@@ -20,8 +20,8 @@ SensorSpec seen_sensor(const TrialSpec& spec);
 
 PlannerSetup planner_setup(const TrialSpec& spec);
 
-/// One value for each parameter that `spec.planner` lists, in the planner's own order.
-std::vector<ParameterValue> parameter_values(const PlannerChoice& planner);
+/// One value for each parameter that the choice lists, in the library's own order.
+std::vector<ParameterValue> parameter_values(const PluginChoice& plugin);
 
 /// The planner's seed follows from the sweep's, the map's and the mission's; it can't be told from
 /// other streams. `bounds` are the map's.

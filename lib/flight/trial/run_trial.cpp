@@ -9,13 +9,14 @@ namespace avoidbench {
 namespace {
 
 /// Tells the observer, where there is one.
-void tell_planned(const Flight& flight, PlannerInstance& planner, const TrialObserver& observer,
+void tell_planned(const Flight& flight, const Pilot& pilot, const TrialObserver& observer,
                   const PlanResult& result, Tick due) {
   if (!observer.planned) return;
   const VehicleState believed = believed_state(flight);
-  std::vector<Drawing> drawings = planner.take_drawings();  // may add to the log
-  const PlaceLookUp look_up = [&planner](std::span<const Eigen::Vector3d> places_world) {
-    return planner.look_up(places_world);
+  std::vector<Drawing> drawings = take_drawings(pilot);  // may add to the log
+  // What a filter knows of places is not asked: it holds no map of the way.
+  const PlaceLookUp look_up = [&pilot](std::span<const Eigen::Vector3d> places_world) {
+    return pilot.planner->look_up(places_world);
   };
   observer.planned({.time_s = seconds(flight.state.tick),
                     .effect_s = seconds(due),
@@ -24,7 +25,7 @@ void tell_planned(const Flight& flight, PlannerInstance& planner, const TrialObs
                     .view = flight.view,
                     .result = result,
                     .drawings = std::move(drawings),
-                    .log = planner.take_log(),
+                    .log = take_log(pilot),
                     .look_up = look_up});
 }
 
@@ -41,15 +42,15 @@ bool may_call(const Flight& flight, const TrialObserver& observer) {
 }  // namespace
 
 TrialRecord run_trial(const TrialSpec& spec, const Scene& scene, const Mission& mission,
-                      PlannerInstance& planner, const TrialObserver& observer,
+                      const Pilot& pilot, const TrialObserver& observer,
                       const std::vector<double>* recorded_latency_s, const FlightChange& change) {
-  Flight flight = begin_flight(spec, scene, mission, planner.needs(), recorded_latency_s, change);
-  planner.take_log();  // of an earlier trial
-  planner.take_drawings();
+  Flight flight = begin_flight(spec, scene, mission, needs(pilot), recorded_latency_s, change);
+  take_log(pilot);  // of an earlier trial
+  take_drawings(pilot);
   // A planner that can't begin has flown a trial that ends at once.
-  if (std::string error = planner.reset(planner_mission(spec, mission, scene.world().bounds));
+  if (std::string error = reset(pilot, planner_mission(spec, mission, scene.world().bounds));
       !error.empty()) {
-    stop_flight(flight, planner.has_crashed() ? Outcome::planner_crashed : Outcome::planner_error,
+    stop_flight(flight, has_crashed(pilot) ? Outcome::planner_crashed : Outcome::planner_error,
                 "reset: " + error);
   }
   while (const PlannerView* view = next_plan(flight)) {
@@ -57,9 +58,9 @@ TrialRecord run_trial(const TrialSpec& spec, const Scene& scene, const Mission& 
       stop_flight(flight, Outcome::planner_gave_up, "");
       continue;
     }
-    const PlanResult result = planner.plan(*view);
+    const PlanResult result = plan(pilot, *view);
     const Tick due = answer(flight, result);
-    tell_planned(flight, planner, observer, result, due);
+    tell_planned(flight, pilot, observer, result, due);
   }
   return end_flight(std::move(flight));
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "plugin/planner_instance.hpp"
+#include "plugin/pilot.hpp"
 #include "trial/flight_change.hpp"
 #include "trial/mission.hpp"
 #include "trial/trial_observer.hpp"
@@ -8,7 +8,7 @@
 
 namespace avoidbench {
 
-/// Flies one trial: `planner`, reset first, takes the vehicle of `spec` from start to goal through
+/// Flies one trial: `pilot`, reset first, takes the vehicle of `spec` from start to goal through
 /// `scene`. A pure function of its arguments except for the measured times in `plan_calls`.
 /// Everything that can go wrong in flight is an Outcome, never an exception; where the map has no
 /// place for the trial's movers it throws InputError before. One thread; the scene, which is the
@@ -20,7 +20,7 @@ namespace avoidbench {
 /// their end act at once. The mode `replay` needs them, `zero` and `fixed` do not look at them.
 /// `change`: what is otherwise than the spec says.
 TrialRecord run_trial(const TrialSpec& spec, const Scene& scene, const Mission& mission,
-                      PlannerInstance& planner, const TrialObserver& observer = {},
+                      const Pilot& pilot, const TrialObserver& observer = {},
                       const std::vector<double>* recorded_latency_s = nullptr,
                       const FlightChange& change = {});
 

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "base/enum_text.hpp"
@@ -149,8 +151,8 @@ void visit(Visitor& v, Spec& s) {
 
 inline constexpr std::int64_t kAllCameras = -1;
 
-/// A planner as chosen in a sweep.
-struct PlannerChoice {
+/// A library or program as chosen in a sweep, with its parameters.
+struct PluginChoice {
   std::string plugin;                       ///< as named by the user
   std::string label;                        ///< what reports call it
   std::string file;                         ///< the file found for it; not part of a trial's key
@@ -160,15 +162,12 @@ struct PlannerChoice {
   /// trial's key where it is not empty.
   std::vector<std::string> command = {};
   std::vector<PlannerFile> files = {};  ///< that file_digest is made of, where there are several
-  /// The one camera of the sensor that it sees, by its index; kAllCameras: each. Part of a trial's
-  /// key where it is one.
-  std::int64_t camera = kAllCameras;
-  std::uint32_t needs = 0;  ///< AB_… bits that it declares; follow from the file
+  std::uint32_t needs = 0;              ///< AB_… bits that it declares; follow from the file
 
   PlannerSource source() const { return {file, command}; }
 };
 
-template <class Visitor, ConstOr<PlannerChoice> Spec>
+template <class Visitor, ConstOr<PluginChoice> Spec>
 void visit(Visitor& v, Spec& s) {
   v.field("plugin", s.plugin, "Bare name, or path of a library.");
   v.field("label", s.label, "Name in reports; unique in a sweep.");
@@ -177,9 +176,33 @@ void visit(Visitor& v, Spec& s) {
   v.field("parameters", s.parameters, "Values of all its parameters.");
   v.field("command", s.command, "How a program is started, where the sweep says so.");
   v.field("files", s.files, "Files that it depends on, where it names any.");
+}
+
+/// A planner as chosen in a sweep.
+struct PlannerChoice : PluginChoice {
+  /// The one camera of the sensor that it sees, by its index; kAllCameras: each. Part of a trial's
+  /// key where it is one.
+  std::int64_t camera = kAllCameras;
+  /// What its commands pass through; part of a trial's key where there is one.
+  std::optional<PluginChoice> filter = {};
+};
+
+template <class Visitor, ConstOr<PlannerChoice> Spec>
+void visit(Visitor& v, Spec& s) {
+  using Plugin = std::conditional_t<std::is_const_v<Spec>, const PluginChoice, PluginChoice>;
+  visit(v, static_cast<Plugin&>(s));
   v.field("camera", s.camera, Range{kAllCameras, 10000},
           "The one camera of the sensor that it sees, by its index; -1: each.");
+  v.field("filter", s.filter, "What its commands pass through, where the sweep says so.");
 }
+
+/// The planner itself and its filter, where there is one.
+std::vector<const PluginChoice*> plugins_of(const PlannerChoice& planner);
+
+std::uint32_t needs_of(const PlannerChoice& planner);  ///< of all of them
+
+/// By what a database and a worker know who flies: file_digest, or one of the digests of both.
+std::string flown_digest(const PlannerChoice& planner);
 
 /// Everything that determines one trial. A trial is a pure function of this and the planner's file.
 struct TrialSpec {

@@ -10,6 +10,7 @@
 #include <type_traits>
 
 #include "base/math.hpp"
+#include "conformance/wanted_commands.hpp"
 #include "plugin/command_check.hpp"
 #include "program_planner/program_planner.hpp"
 
@@ -320,6 +321,7 @@ Probe::~Probe() {
 
 Reply Probe::reset(const PlannerMission& mission) {
   mission_ = mission;
+  call_count_ = 0;
   // Goals that are overwritten after the call.
   PlannerMission lent = mission;
   lent.goals_world = goals_of(mission);
@@ -403,11 +405,16 @@ PlannerView Probe::view_of(const Frame& frame) {
 Reply Probe::plan(const Frame& frame) {
   const PlannerView view = view_of(frame);
   // The observation holds pointers alone, so what it points to is compared apart.
-  const ab_observation& observation = observation_.fill(view, setup_.cameras, table_->needs);
+  const PlanResult wanted =
+      frame.wanted.value_or(wanted_in_turn(frame, table_->commands, call_count_++));
+  const ab_observation& observation =
+      observation_.fill(view, setup_.cameras, table_->needs, {}, &wanted);
   const ab_observation before = observation;
   const ab_state state_before = *observation.state;
   const std::vector<ab_track> tracks_before(observation.tracks,
                                             observation.tracks + observation.track_count);
+  std::vector<ab_command> wanted_before;  // one or none
+  if (observation.wanted != nullptr) wanted_before.push_back(*observation.wanted);
 
   Reply reply;
   reply.is_plan = true;
@@ -432,6 +439,11 @@ Reply Probe::plan(const Frame& frame) {
   }
   if (reply.changed.empty() && has_changed(observation.tracks, tracks_before)) {
     reply.changed = "it wrote into the tracks";
+  }
+  if (reply.changed.empty() && !wanted_before.empty() &&
+      (has_changed(observation.wanted, wanted_before) ||
+       has_changed(wanted_before.front().points, wanted.points))) {
+    reply.changed = "it wrote into the wanted command";
   }
   // A count that can't be true is not followed: reply_problem() names it, reading would crash.
   const bool has_points = reply.status == AB_OK && reply.command.kind == AB_COMMAND_TRAJECTORY &&

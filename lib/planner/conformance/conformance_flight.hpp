@@ -22,6 +22,8 @@ struct Frame {
   int sweep_count = 1;
   std::vector<TrackView> tracks = {};
   std::optional<GoalView> goal = {};  ///< nothing: the mission's first
+  /// What a filter sees of the planner below; nothing: see wanted_in_turn().
+  std::optional<PlanResult> wanted = {};
 
   std::uint32_t camera_of(std::size_t image) const { return cameras.empty() ? 0 : cameras[image]; }
 };
@@ -108,6 +110,7 @@ class Probe {
   std::vector<std::vector<std::uint8_t>> grey_, rgb_;  ///< by image
   std::vector<ab_lidar_point> points_;
   std::vector<Eigen::Vector3f> misses_lidar_;
+  std::size_t call_count_ = 0;  ///< since reset()
   void* instance_ = nullptr;
   std::string problem_;
 };

@@ -334,8 +334,8 @@ constexpr ConformanceRule kRules[] = {
      "Two instances called from two threads give the same as alone; not with AB_USES_GLOBALS.",
      instances_may_run_at_once, true},
     {"keeps_no_input",
-     "What is passed into a call is not read after it: setup, mission, state, images, sweeps and "
-     "tracks.",
+     "What is passed into a call is not read after it: setup, mission, state, images, sweeps, "
+     "tracks and the wanted command.",
      keeps_no_input, true},
     {"drawing_changes_nothing",
      "Commands are the same, bit for bit, with a host that has no " AB_DEBUG_EXTENSION
@@ -362,6 +362,10 @@ constexpr ConformanceRule kRules[] = {
      "No tracks, a thousand, and one where the vehicle is, without size or of an unknown kind give "
      "commands or no plan, not errors. (Asked of a planner that declares AB_INPUT_TRACKS.)",
      survives_odd_tracks},
+    {"survives_odd_commands",
+     "No wanted command, or a velocity or trajectory that is odd, gives commands or no plan, not "
+     "errors. (Asked of a filter: it declares AB_INPUT_COMMAND.)",
+     survives_odd_commands},
     {"tells_cameras_apart",
      "With a second camera that looks down, commands still depend on what the first one sees. (Not "
      "asked of a planner that declares AB_INPUT_ONE_CAMERA: no rig reaches it.)",

@@ -1,9 +1,11 @@
 #include "conformance/input_rules.hpp"
 
 #include <span>
+#include <utility>
 
 #include "conformance/conformance_flight.hpp"
 #include "conformance/own_process.hpp"
+#include "conformance/wanted_commands.hpp"
 
 namespace avoidbench {
 namespace {
@@ -92,6 +94,58 @@ constexpr OddInput kTracks[] = {
      [](Frame& frame, std::size_t) { frame.tracks.front().time_s -= 1.0; }},
 };
 
+constexpr OddInput kCommands[] = {
+    {"no wanted command", [](Frame& frame, std::size_t) { frame.wanted = no_plan(); }},
+    {"a wanted command each third call",
+     [](Frame& frame, std::size_t index) {
+       if (index % 3 != 0) frame.wanted = no_plan();
+     }},
+};
+constexpr OddInput kVelocities[] = {
+    {"a wanted velocity of zero",
+     [](Frame& frame, std::size_t) {
+       frame.wanted = wanted_onward(frame, AB_COMMAND_VELOCITY);
+       frame.wanted->command.velocity_world_mps[0] = 0.0;
+     }},
+    {"a wanted velocity straight up at a turning yaw",
+     [](Frame& frame, std::size_t) {
+       frame.wanted = wanted_onward(frame, AB_COMMAND_VELOCITY);
+       std::swap(frame.wanted->command.velocity_world_mps[0],
+                 frame.wanted->command.velocity_world_mps[2]);
+       frame.wanted->command.flags = AB_YAW_IS_RATE;
+       frame.wanted->command.yaw_rate_radps = 1.0;
+     }},
+    {"a wanted velocity of 10 km/s",
+     [](Frame& frame, std::size_t) {
+       frame.wanted = wanted_onward(frame, AB_COMMAND_VELOCITY);
+       frame.wanted->command.velocity_world_mps[0] = 1e4;
+     }},
+};
+constexpr OddInput kTrajectories[] = {
+    {"a wanted trajectory of two points",
+     [](Frame& frame, std::size_t) {
+       frame.wanted = wanted_onward(frame, AB_COMMAND_TRAJECTORY);
+       frame.wanted->points.resize(2);
+     }},
+    {"a wanted trajectory that stays where it is",
+     [](Frame& frame, std::size_t) {
+       frame.wanted = wanted_onward(frame, AB_COMMAND_TRAJECTORY);
+       const double start_s = frame.wanted->points.front().time_s;
+       for (ab_point& point : frame.wanted->points) {
+         const double time_s = point.time_s - start_s;
+         point = frame.wanted->points.front();
+         point.time_s = time_s;
+         point.velocity_world_mps[0] = 0.0;
+       }
+     }},
+    {"a wanted trajectory that begins 5 m away",
+     [](Frame& frame, std::size_t) {
+       Frame aside = frame;
+       aside.position_world.y() += 5.0;
+       frame.wanted = wanted_onward(aside, AB_COMMAND_TRAJECTORY);
+     }},
+};
+
 }  // namespace
 
 std::string survives_odd_sweeps(const PlannerLibrary& library) {
@@ -102,6 +156,19 @@ std::string survives_odd_sweeps(const PlannerLibrary& library) {
 std::string survives_odd_tracks(const PlannerLibrary& library) {
   if ((library.description().needs & AB_INPUT_TRACKS) == 0) return "";
   return problem_with(library, kTracks);
+}
+
+std::string survives_odd_commands(const PlannerLibrary& library) {
+  const std::uint32_t needs = library.table().needs, commands = library.table().commands;
+  if ((needs & AB_INPUT_COMMAND) == 0) return "";
+  std::string problem = problem_with(library, kCommands);
+  if (problem.empty() && (commands & AB_COMMAND_VELOCITY) != 0) {
+    problem = problem_with(library, kVelocities);
+  }
+  if (problem.empty() && (commands & AB_COMMAND_TRAJECTORY) != 0) {
+    problem = problem_with(library, kTrajectories);
+  }
+  return problem;
 }
 
 }  // namespace avoidbench

@@ -278,7 +278,8 @@ ab_mission to_mission(const PlannerMission& mission) {
 
 const ab_observation& ObservationBuffers::fill(const PlannerView& view,
                                                const std::vector<CameraSetup>& cameras,
-                                               std::uint32_t needs, const GoalView& goal) {
+                                               std::uint32_t needs, const GoalView& goal,
+                                               const PlanResult* wanted) {
   // Memory of the last call is used again: none is allocated at each of them.
   state_ = to_state(view);
   observation_ = ab_observation{};
@@ -324,7 +325,20 @@ const ab_observation& ObservationBuffers::fill(const PlannerView& view,
   }
   observation_.track_count = static_cast<std::uint32_t>(tracks_.size());
   observation_.tracks = tracks_.data();
+  fill_wanted((needs & AB_INPUT_COMMAND) != 0 ? wanted : nullptr);
   return observation_;
+}
+
+/// A copy, which stays until the next call: a filter that returns it returns its points, too.
+void ObservationBuffers::fill_wanted(const PlanResult* wanted) {
+  wanted_points_.clear();
+  if (wanted == nullptr || wanted->status != PlanStatus::command) return;
+  wanted_ = wanted->command;
+  wanted_points_ = wanted->points;
+  set_size(wanted_);
+  wanted_.point_count = static_cast<std::uint32_t>(wanted_points_.size());
+  wanted_.points = wanted_points_.empty() ? nullptr : wanted_points_.data();
+  observation_.wanted = &wanted_;
 }
 
 void ObservationBuffers::fill_stereo(const std::vector<StereoView>& seen,
@@ -426,6 +440,8 @@ void ObservationBuffers::poison() {
   fill_with_rubbish(state_pointers_);
   fill_with_rubbish(clouds_);
   fill_with_rubbish(cloud_pointers_);
+  fill_with_rubbish(wanted_);
+  fill_with_rubbish(wanted_points_);
 }
 
 }  // namespace avoidbench

@@ -85,9 +85,11 @@ class ObservationBuffers {
 
   /// The view as the planner of these `needs` sees it, valid until the next call. Every image of
   /// `view` has its camera's size. `goal` is shown where the view has none: who declares goals has
-  /// one in each call.
+  /// one in each call. `wanted`: the
+  /// answer of the planner below, whose command a filter sees.
   const ab_observation& fill(const PlannerView& view, const std::vector<CameraSetup>& cameras,
-                             std::uint32_t needs, const GoalView& goal = {});
+                             std::uint32_t needs, const GoalView& goal = {},
+                             const PlanResult* wanted = nullptr);
   void poison();
 
  private:
@@ -95,6 +97,7 @@ class ObservationBuffers {
   void fill_color(const std::vector<ColorView>& seen, const std::vector<CameraSetup>& cameras);
   void fill_imu(const std::vector<ImuView>& seen);
   void fill_clouds(const std::vector<CloudView>& seen);
+  void fill_wanted(const PlanResult* wanted);
 
   ab_observation observation_{};
   ab_state state_{};
@@ -111,6 +114,8 @@ class ObservationBuffers {
   std::vector<const ab_state*> state_pointers_;
   std::vector<ab_cloud> clouds_;
   std::vector<const ab_cloud*> cloud_pointers_;
+  ab_command wanted_{};
+  std::vector<ab_point> wanted_points_;
 };
 
 }  // namespace avoidbench

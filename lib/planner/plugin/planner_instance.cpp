@@ -54,6 +54,7 @@ struct PlannerInstance::Internals {
   Internals(ThreadOwner library, std::uint32_t needs) : host(true, needs), meter(library) {}
 
   const ab_planner* table = nullptr;
+  std::string name;
   std::vector<CameraSetup> cameras;
   HostSide host;
   ObservationBuffers observation;
@@ -91,6 +92,7 @@ PlannerInstance::PlannerInstance(const PlannerLibrary& library, const PlannerSet
     throw InputError("planner " + description.name + " can't fly with this sensor: " + problem);
   }
   internals_->table = &library.table();
+  internals_->name = description.name;
   internals_->cameras = setup.cameras;
   internals_->clock = clock;
   internals_->is_program = description.is_program;
@@ -113,6 +115,8 @@ PlannerInstance& PlannerInstance::operator=(PlannerInstance&&) noexcept = defaul
 
 std::uint32_t PlannerInstance::needs() const { return internals_->table->needs; }
 
+const std::string& PlannerInstance::name() const { return internals_->name; }
+
 void PlannerInstance::show_world(PlannerWorld world) {
   internals_->host.show_world(std::move(world));
 }
@@ -134,10 +138,10 @@ std::string PlannerInstance::reset(const PlannerMission& mission) {
   return status == AB_OK ? "" : error_text("reset", self.host);
 }
 
-PlanResult PlannerInstance::plan(const PlannerView& view) {
+PlanResult PlannerInstance::plan(const PlannerView& view, const PlanResult* wanted) {
   Internals& self = *internals_;
   const ab_observation& observation =
-      self.observation.fill(view, self.cameras, self.table->needs, self.first_goal);
+      self.observation.fill(view, self.cameras, self.table->needs, self.first_goal, wanted);
   PlanResult result;
   result.command.struct_size = static_cast<std::uint32_t>(sizeof(ab_command));
   ab_status status = AB_ERROR;

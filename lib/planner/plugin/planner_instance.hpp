@@ -154,6 +154,7 @@ class PlannerInstance {
   PlannerInstance& operator=(PlannerInstance&&) noexcept;
 
   std::uint32_t needs() const;  ///< AB_INPUT_…
+  const std::string& name() const;
 
   /// What it sees of the map, for who declared that, until the next one; its functions are called
   /// during reset() and plan().
@@ -161,7 +162,9 @@ class PlannerInstance {
 
   /// Empty text on success, else why it failed.
   std::string reset(const PlannerMission& mission);
-  PlanResult plan(const PlannerView& view);
+  /// `wanted`: the answer of the planner below, for a filter, which sees its command; null: there
+  /// is none.
+  PlanResult plan(const PlannerView& view, const PlanResult* wanted = nullptr);
 
   /// Whether it says what it knows of places (AB_MAP_EXTENSION).
   bool has_map() const;

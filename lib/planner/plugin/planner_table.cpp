@@ -13,6 +13,7 @@
 #include "base/math.hpp"
 #include "base/number_text.hpp"
 #include "base/utf8.hpp"
+#include "plugin/command_check.hpp"
 
 namespace avoidbench {
 namespace {
@@ -29,8 +30,8 @@ constexpr std::uint32_t kMostParameters = 1000;
 constexpr std::uint32_t kKnownNeeds =
     AB_INPUT_STATE | AB_INPUT_DEPTH | AB_INPUT_STEREO | AB_INPUT_COLOR | AB_INPUT_IMU |
     AB_INPUT_WORLD | AB_INPUT_STATES | AB_INPUT_REFERENCE | AB_INPUT_POINTS | AB_INPUT_TRACKS |
-    AB_INPUT_ONE_CAMERA | AB_INPUT_GOALS | AB_USES_PROCESSES | AB_USES_DEVICES | AB_USES_NETWORK |
-    AB_USES_GLOBALS;
+    AB_INPUT_ONE_CAMERA | AB_INPUT_GOALS | AB_INPUT_COMMAND | AB_USES_PROCESSES | AB_USES_DEVICES |
+    AB_USES_NETWORK | AB_USES_GLOBALS;
 constexpr std::uint32_t kKnownCommands = AB_COMMAND_POSITION | AB_COMMAND_VELOCITY |
                                          AB_COMMAND_ACCELERATION | AB_COMMAND_TRAJECTORY |
                                          AB_COMMAND_RATES;
@@ -259,6 +260,30 @@ double fov_rad(std::int32_t size_px, double focal_px) {
 }
 
 }  // namespace
+
+bool is_filter(const PlannerDescription& planner) {
+  return (planner.needs & AB_INPUT_COMMAND) != 0;
+}
+
+std::string filter_alone_problem(const PlannerDescription& planner) {
+  if (!is_filter(planner)) return "";
+  return planner.name + " is a filter and flies above a planner only: write {plugin: PLANNER, " +
+         "filter: " + planner.name + "}";
+}
+
+std::string filter_problem(const PlannerDescription& filter, const PlannerDescription& planner) {
+  if (!is_filter(filter)) {
+    return filter.name + " is no filter: it does not declare AB_INPUT_COMMAND";
+  }
+  std::string missing;
+  for (std::uint32_t kind = 1; kind <= kKnownCommands; kind <<= 1U) {
+    if ((planner.commands & ~filter.commands & kind) == 0) continue;
+    missing += (missing.empty() ? "" : ", ") + command_kind_text(kind);
+  }
+  if (missing.empty()) return "";
+  return "filter " + filter.name + " does not take all commands of " + planner.name + ": " +
+         missing + " (of a filter, `commands` are the kinds that it takes and gives)";
+}
 
 /// Nothing between two bars is a word, too, for choice_problem() to refuse.
 std::vector<std::string> choice_words(const std::string& choices) {

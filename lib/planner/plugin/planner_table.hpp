@@ -35,6 +35,16 @@ std::string camera_demand(const PlannerDescription& planner);
 /// it can.
 std::string sensor_problem(const PlannerDescription& planner, const PlannerSetup& setup);
 
+/// Whether it is a filter: it sees the command of the planner below (AB_INPUT_COMMAND).
+bool is_filter(const PlannerDescription& planner);
+
+/// Why this can't be flown by itself: it is a filter. "" where it can.
+std::string filter_alone_problem(const PlannerDescription& planner);
+
+/// Why commands of this planner can't pass through this filter: that is none, or does not take them
+/// all. "" where they can.
+std::string filter_problem(const PlannerDescription& filter, const PlannerDescription& planner);
+
 /// The words of "safe|fast".
 std::vector<std::string> choice_words(const std::string& choices);
 

@@ -60,6 +60,13 @@ std::uint64_t write_stereo(Segment& segment, const ab_stereo_pair& pair) {
   return write_struct(segment, copy);
 }
 
+std::uint64_t write_command(Segment& segment, const ab_command& command) {
+  ab_command copy = command;
+  const std::size_t point_bytes = command.point_count * sizeof(ab_point);
+  set_offset(copy.points, point_bytes == 0 ? 0 : segment.add(command.points, point_bytes));
+  return write_struct(segment, copy);
+}
+
 /// The offsets of what `write` makes of each element, as an array.
 template <class Element, class Write>
 std::uint64_t write_pointers(Segment& segment, const Element* const* elements, std::uint32_t count,
@@ -128,6 +135,8 @@ std::uint64_t write_flat(Segment& segment, const ab_observation& observation) {
              write_pointers(segment, observation.clouds, observation.cloud_count, write_cloud));
   const std::size_t track_bytes = observation.track_count * sizeof(ab_track);
   set_offset(copy.tracks, track_bytes == 0 ? 0 : segment.add(observation.tracks, track_bytes));
+  const bool has_wanted = observation.wanted != nullptr;
+  set_offset(copy.wanted, has_wanted ? write_command(segment, *observation.wanted) : 0);
   return write_struct(segment, copy);
 }
 

@@ -217,7 +217,7 @@ double clearance_m(const Course& course, const Eigen::Vector3d& point_world) {
   return nearest;
 }
 
-Result fly(PlannerInstance& planner, const Course& course, double time_limit_s,
+Result fly(const Pilot& pilot, const Course& course, double time_limit_s,
            const PlannerSetup& setup) {
   const Eigen::Vector3d way = course.goal_world - course.start_world;
   PlannerMission mission;
@@ -229,7 +229,7 @@ Result fly(PlannerInstance& planner, const Course& course, double time_limit_s,
   mission.time_limit_s = time_limit_s;
 
   Result result;
-  result.reason = planner.reset(mission);
+  result.reason = reset(pilot, mission);
   result.lowest_m = result.highest_m = course.start_world.z();
   Vehicle vehicle;
   vehicle.position = course.start_world;
@@ -245,8 +245,8 @@ Result fly(PlannerInstance& planner, const Course& course, double time_limit_s,
     wanted = next;
     wanted_yaw_rad = next_yaw_rad;
     const Course near = nearby(course, vehicle.position, setup.cameras.front().max_range_m);
-    const PlanResult plan =
-        planner.plan(seen_by(vehicle, near, setup.cameras, result.time_s, random, pixels));
+    const PlanResult plan = avoidbench::plan(
+        pilot, seen_by(vehicle, near, setup.cameras, result.time_s, random, pixels));
     result.positions.push_back(vehicle.position);
     next = Eigen::Vector3d::Zero();
     if (plan.status == PlanStatus::command) {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "plugin/planner_instance.hpp"
+#include "plugin/pilot.hpp"
 
 /// A small world of closed forms to fly planners in: upright cylinders, balls and level ground, a
 /// vehicle that follows a velocity command with a lag, and a depth camera by exact ray casting. No
@@ -61,7 +61,7 @@ PlannerSetup rig_setup();
 
 /// Flies until the goal is within 0.8 m, a surface within 0.3 m of the body's centre, or
 /// `time_limit_s`.
-Result fly(PlannerInstance& planner, const Course& course, double time_limit_s = 60.0,
+Result fly(const Pilot& planner, const Course& course, double time_limit_s = 60.0,
            const PlannerSetup& setup = vehicle_setup());
 
 /// Depth seen by `camera` at this pose.

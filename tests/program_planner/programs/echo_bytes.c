@@ -77,6 +77,12 @@ void echo_observation(echo_buffer* to, const ab_observation* seen) {
   add(to, &seen->goal_index, sizeof seen->goal_index);
   add(to, seen->goal_world_m, sizeof seen->goal_world_m);
   add(to, seen->tracks, seen->track_count * sizeof(ab_track));
+  if (seen->wanted != NULL) {
+    ab_command copy = *seen->wanted;
+    copy.points = NULL;
+    add(to, &copy, sizeof copy);
+    add(to, seen->wanted->points, copy.point_count * sizeof(ab_point));
+  }
 }
 
 void echo_command(ab_command* command, const ab_state* state) {

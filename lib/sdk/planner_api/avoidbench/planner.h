@@ -60,6 +60,9 @@ typedef int32_t ab_status;
 /* The goal to reach now: missions may have several, in order, and the last one may move. A sweep
  * with such missions is refused before its first trial where a planner does not declare this. */
 #define AB_INPUT_GOALS 32768u
+/* The wanted command: that of the planner below, where there is one. Who declares this is a filter:
+ * see ab_observation.wanted. */
+#define AB_INPUT_COMMAND 65536u
 /* Also ab_planner.needs: what it does beside computing and reading files. Planners fly in a sandbox
  * that refuses the rest; without these flags fork() and socket() fail, as writing to files always
  * does. */
@@ -292,6 +295,25 @@ typedef struct ab_track {
   double size_m[3]; /* of its box in its own frame, z up */
 } ab_track;
 
+/* Numbers are finite, and lengths, speeds and so on not beyond 1e6, yaws not beyond 1e5. Anything
+ * else is an error of the planner's. */
+typedef struct ab_command {
+  uint32_t struct_size;
+  uint32_t kind;
+  uint32_t flags;
+  uint32_t point_count;
+  double position_world_m[3];
+  double velocity_world_mps[3];
+  double acceleration_world_mps2[3];
+  double yaw_rad;
+  double yaw_rate_radps;
+  double rates_body_radps[3];
+  double thrust_mps2; /* collective, mass-normalised: 9.81 hovers */
+  const ab_point* points;
+  double horizon_s; /* how long the planner believes this command is safe; after it the host brakes;
+                       0: for ever */
+} ab_command;
+
 typedef struct ab_observation {
   uint32_t struct_size;
   uint32_t depth_count;  /* images since the last call, newest first; 0 where none is new */
@@ -327,26 +349,15 @@ typedef struct ab_observation {
    * believes. */
   uint32_t track_count, reserved5;
   const ab_track* tracks;
+  /* Added later: older hosts end before this. AB_INPUT_COMMAND: what the planner below answered to
+   * the same observation, for a filter, which a sweep names beside a planner. What the filter
+   * answers is what the vehicle gets, by the rules of any planner: to let the wanted command pass
+   * it returns a copy of it, whose points may be these. AB_NO_PLAN brakes, whatever was wanted.
+   * Null where the planner has no plan. Its kind is one of ab_planner.commands: of a filter these
+   * are the kinds that it takes and those that it gives, and a planner of other kinds is refused
+   * before the first trial. */
+  const ab_command* wanted;
 } ab_observation;
-
-/* Numbers are finite, and lengths, speeds and so on not beyond 1e6, yaws not beyond 1e5. Anything
- * else is an error of the planner's. */
-typedef struct ab_command {
-  uint32_t struct_size;
-  uint32_t kind;
-  uint32_t flags;
-  uint32_t point_count;
-  double position_world_m[3];
-  double velocity_world_mps[3];
-  double acceleration_world_mps2[3];
-  double yaw_rad;
-  double yaw_rate_radps;
-  double rates_body_radps[3];
-  double thrust_mps2; /* collective, mass-normalised: 9.81 hovers */
-  const ab_point* points;
-  double horizon_s; /* how long the planner believes this command is safe; after it the host brakes;
-                       0: for ever */
-} ab_command;
 
 /* Numbers lie in an array, so this struct never grows within ABI 1. */
 typedef struct ab_named_number {

@@ -268,6 +268,14 @@ static const ab_picture* ab_client_picture(ab_client* self, uint64_t offset) {
   return picture;
 }
 
+static const ab_command* ab_client_wanted(ab_client* self, uint64_t offset) {
+  ab_command* wanted;
+  if (offset == 0) return NULL;
+  wanted = (ab_command*)ab_client_copied(self, offset, sizeof(ab_command));
+  wanted->points = (const ab_point*)ab_client_at(self, ab_client_offset(&wanted->points));
+  return wanted;
+}
+
 static const ab_observation* ab_client_observation(ab_client* self, uint64_t body) {
   ab_observation* seen = (ab_observation*)ab_client_copied(self, body, sizeof(ab_observation));
   const uint64_t* depth = (const uint64_t*)ab_client_at(self, ab_client_offset(&seen->depth));
@@ -316,6 +324,7 @@ static const ab_observation* ab_client_observation(ab_client* self, uint64_t bod
   seen->reference = (const ab_point*)ab_client_at(self, ab_client_offset(&seen->reference));
   seen->tracks = (const ab_track*)ab_client_at(self, ab_client_offset(&seen->tracks));
   seen->imu = (const ab_imu_sample*)ab_client_at(self, ab_client_offset(&seen->imu));
+  seen->wanted = ab_client_wanted(self, ab_client_offset(&seen->wanted));
   seen->depth = images;
   seen->stereo = pairs;
   seen->color = pictures;

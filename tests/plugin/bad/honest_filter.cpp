@@ -1,0 +1,3 @@
+#include "honest_filter.hpp"
+
+HONEST_FILTER()
