@@ -18,11 +18,12 @@ install(DIRECTORY planners/template DESTINATION ${data_folder}/planners COMPONEN
 # Real ROS 1 nodes; it reads the topics files of the stand-ins for ROS by their reader, which lies beside it.
 install(DIRECTORY planners/ros_bridge DESTINATION ${data_folder}/planners COMPONENT programs USE_SOURCE_PERMISSIONS
         PATTERN __pycache__ EXCLUDE)
-install(FILES planners/ros_shim/topics_file.py planners/ros_shim/topics_spec.py DESTINATION ${data_folder}/planners/ros_shim
-        COMPONENT programs)
+# The stand-ins for ROS 1 are sources: avoidbench_ros_planner() builds them with the planner.
+install(DIRECTORY planners/ros_shim DESTINATION ${data_folder}/planners COMPONENT programs
+        PATTERN CMakeLists.txt EXCLUDE PATTERN example EXCLUDE PATTERN __pycache__ EXCLUDE)
 install(FILES README.md CHANGELOG.md CITATION.cff LICENSE DESTINATION ${data_folder} COMPONENT programs)
 # The build tree has the same by links, and is a package to find, too.
-foreach(folder configs maps docs scripts planners/template python/avoidbench)
+foreach(folder configs maps docs scripts planners/template planners/ros_shim python/avoidbench)
   get_filename_component(parent ${PROJECT_BINARY_DIR}/${data_folder}/${folder} DIRECTORY)
   file(MAKE_DIRECTORY ${parent})
   file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${folder} ${PROJECT_BINARY_DIR}/${data_folder}/${folder} SYMBOLIC)
@@ -35,15 +36,12 @@ install(EXPORT avoidbench_targets FILE avoidbench-targets.cmake NAMESPACE avoidb
         COMPONENT sdk)
 export(EXPORT avoidbench_targets NAMESPACE avoidbench:: FILE ${PROJECT_BINARY_DIR}/avoidbench-targets.cmake)
 file(COPY cmake/AvoidbenchPlanner.cmake cmake/AvoidbenchRosPlanner.cmake DESTINATION ${PROJECT_BINARY_DIR})
-file(CREATE_LINK ${PROJECT_SOURCE_DIR}/planners/ros_shim ${PROJECT_BINARY_DIR}/ros_shim SYMBOLIC)
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/avoidbench-config.cmake.in
-                              ${PROJECT_BINARY_DIR}/avoidbench-config.cmake INSTALL_DESTINATION ${package_folder})
+                              ${PROJECT_BINARY_DIR}/avoidbench-config.cmake INSTALL_DESTINATION ${package_folder}
+                              PATH_VARS data_folder)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/avoidbench-config-version.cmake
                                  COMPATIBILITY SameMajorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/avoidbench-config.cmake ${PROJECT_BINARY_DIR}/avoidbench-config-version.cmake
               ${PROJECT_SOURCE_DIR}/cmake/AvoidbenchPlanner.cmake ${PROJECT_SOURCE_DIR}/cmake/AvoidbenchRosPlanner.cmake
         DESTINATION ${package_folder} COMPONENT sdk)
-# The stand-ins for ROS 1 are sources: avoidbench_ros_planner() builds them with the planner.
-install(DIRECTORY planners/ros_shim DESTINATION ${package_folder} COMPONENT sdk
-        PATTERN CMakeLists.txt EXCLUDE PATTERN example EXCLUDE PATTERN __pycache__ EXCLUDE)
 install(DIRECTORY planners/ros_shim/example/ DESTINATION ${data_folder}/planners/ros_example COMPONENT programs)

@@ -1,16 +1,15 @@
 # avoidbench_ros_planner(name SOURCES a.cpp … TOPICS topics.yaml [PARAMS params.yaml] [MESSAGES package folder …]
 # [INCLUDE folder …]
-#                        [NEEDS opencv pcl target …] [DEFINITIONS A=1 …] [STANDARD 14|17|20] [FOLDER folder])
-# ROS 1 sources, unchanged, as the planner <name>.so: docs/ros.md. MESSAGES: packages with .msg and .srv files of your own.
-# NEEDS: opencv (cv_bridge), pcl (the real one; stand-ins of its points and clouds are there without), or targets to
-# link. FOLDER: where <name>.so goes instead of planners/ of the build tree; it is not installed then.
+#                        [NEEDS opencv pcl target …] [EIGEN folder] [DEFINITIONS A=1 …] [STANDARD 14|17|20] [FOLDER folder])
+# ROS 1 sources, unchanged, as the planner <name>.so: docs/ros.md. MESSAGES: packages with .msg, .srv and .cfg files of
+# your own. NEEDS: opencv (cv_bridge), pcl (the real one; stand-ins of its points and clouds are there without), or
+# targets and libraries to link. EIGEN: the folder with Eigen/Core of another Eigen than the one that is installed.
+# FOLDER: where <name>.so goes instead of planners/ of the build tree; it is not installed then.
 include(GNUInstallDirs)
-if(EXISTS ${CMAKE_CURRENT_LIST_DIR}/ros_shim/make_planner.py)
-  set(AVOIDBENCH_ROS_SHIM ${CMAKE_CURRENT_LIST_DIR}/ros_shim CACHE INTERNAL "Folder of the stand-ins for ROS 1")
-else()
-  get_filename_component(folder ${CMAKE_CURRENT_LIST_DIR}/../planners/ros_shim ABSOLUTE)
-  set(AVOIDBENCH_ROS_SHIM ${folder} CACHE INTERNAL "Folder of the stand-ins for ROS 1")
+if(NOT AVOIDBENCH_ROS_SHIM)  # in the sources; avoidbench-config.cmake knows where it is installed
+  get_filename_component(AVOIDBENCH_ROS_SHIM ${CMAKE_CURRENT_LIST_DIR}/../planners/ros_shim ABSOLUTE)
 endif()
+set(AVOIDBENCH_ROS_SHIM ${AVOIDBENCH_ROS_SHIM} CACHE INTERNAL "Folder of the stand-ins for ROS 1")
 
 # Runs a script of the shim now; what it reads starts CMake again when it changes.
 function(avoidbench_ros_script what)
@@ -45,7 +44,9 @@ function(avoidbench_ros_runtime)
   target_compile_options(avoidbench_ros_headers INTERFACE -ffp-contract=off -fno-math-errno -fvisibility=hidden
                          $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-fno-gnu-unique>)
 
-  file(GLOB sources CONFIGURE_DEPENDS ${AVOIDBENCH_ROS_SHIM}/src/*.cpp)
+  # By their names: an older installation may have left others there.
+  set(sources commands core fibre flight frames graph loader memory names nodes_world observations services synchronize tf time)
+  list(TRANSFORM sources REPLACE "(.+)" "${AVOIDBENCH_ROS_SHIM}/src/\\1.cpp")
   add_library(avoidbench_ros_runtime OBJECT ${sources})
   target_link_libraries(avoidbench_ros_runtime PUBLIC avoidbench::planner_api avoidbench_ros_headers
                         PRIVATE avoidbench::repeatable)
@@ -56,6 +57,23 @@ function(avoidbench_ros_runtime)
   endif()
   set_target_properties(avoidbench_ros_runtime PROPERTIES POSITION_INDEPENDENT_CODE ON
                         CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+endfunction()
+
+# Headers of the planner's own messages, services and configurations, into the folder messages of `generated`.
+function(avoidbench_ros_messages name generated)
+  set(known "")
+  file(GLOB packages ${AVOIDBENCH_ROS_SHIM}/messages/*)
+  foreach(package IN LISTS packages)
+    list(APPEND known --known ${package})
+  endforeach()
+  foreach(package IN LISTS ARGN)
+    file(GLOB files CONFIGURE_DEPENDS ${package}/*.msg ${package}/msg/*.msg ${package}/*.srv
+         ${package}/srv/*.srv ${package}/cfg/*.cfg ${package}/package.xml)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${files})
+  endforeach()
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${AVOIDBENCH_ROS_SHIM}/make_configs.py)
+  avoidbench_ros_script("messages of ${name}" ${AVOIDBENCH_ROS_SHIM}/make_messages.py --out ${generated}/messages ${known} ${ARGN})
+  avoidbench_ros_script("configurations of ${name}" -B ${AVOIDBENCH_ROS_SHIM}/make_configs.py --out ${generated}/messages ${ARGN})
 endfunction()
 
 # The targets to link for words of NEEDS, into the variable `out`; `pcl_out`: whether PCL is the real one.
@@ -86,8 +104,17 @@ function(avoidbench_ros_needs out pcl_out)
   set(${pcl_out} ${is_pcl} PARENT_SCOPE)
 endfunction()
 
+# Shared libraries have clocks and chance that the runtime does not replace: the build says which ones ask for them.
+function(avoidbench_ros_warn_of_clocks name)
+  if(CMAKE_NM AND CMAKE_READELF)
+    add_custom_command(TARGET ${name} POST_BUILD VERBATIM
+      COMMAND ${Python3_EXECUTABLE} -B ${AVOIDBENCH_ROS_SHIM}/warn_of_clocks.py --nm ${CMAKE_NM} --readelf ${CMAKE_READELF}
+              $<TARGET_FILE:${name}>)
+  endif()
+endfunction()
+
 function(avoidbench_ros_planner name)
-  cmake_parse_arguments(ROS "" "TOPICS;PARAMS;STANDARD;FOLDER" "SOURCES;MESSAGES;INCLUDE;NEEDS;DEFINITIONS" ${ARGN})
+  cmake_parse_arguments(ROS "" "TOPICS;PARAMS;STANDARD;FOLDER;EIGEN" "SOURCES;MESSAGES;INCLUDE;NEEDS;DEFINITIONS" ${ARGN})
   if(ROS_UNPARSED_ARGUMENTS OR NOT ROS_SOURCES OR NOT ROS_TOPICS)
     message(FATAL_ERROR "avoidbench_ros_planner(${name} SOURCES a.cpp … TOPICS topics.yaml …): ${ROS_UNPARSED_ARGUMENTS}")
   endif()
@@ -96,7 +123,7 @@ function(avoidbench_ros_planner name)
   endif()
   avoidbench_ros_runtime()
   find_package(Python3 REQUIRED COMPONENTS Interpreter)
-  foreach(list SOURCES MESSAGES INCLUDE TOPICS PARAMS)
+  foreach(list SOURCES MESSAGES INCLUDE TOPICS PARAMS EIGEN)
     set(absolute "")
     foreach(path IN LISTS ROS_${list})
       get_filename_component(path "${path}" ABSOLUTE)
@@ -107,17 +134,7 @@ function(avoidbench_ros_planner name)
 
   set(generated ${CMAKE_CURRENT_BINARY_DIR}/${name}_ros)
   if(ROS_MESSAGES)
-    set(known "")
-    file(GLOB packages ${AVOIDBENCH_ROS_SHIM}/messages/*)
-    foreach(package IN LISTS packages)
-      list(APPEND known --known ${package})
-    endforeach()
-    foreach(package IN LISTS ROS_MESSAGES)
-      file(GLOB files CONFIGURE_DEPENDS ${package}/*.msg ${package}/msg/*.msg ${package}/*.srv
-           ${package}/srv/*.srv ${package}/package.xml)
-      set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${files})
-    endforeach()
-    avoidbench_ros_script("messages of ${name}" ${AVOIDBENCH_ROS_SHIM}/make_messages.py --out ${generated}/messages ${known} ${ROS_MESSAGES})
+    avoidbench_ros_messages(${name} ${generated} ${ROS_MESSAGES})
   endif()
   set(params "")
   if(ROS_PARAMS)
@@ -130,14 +147,18 @@ function(avoidbench_ros_planner name)
   include(${generated}/mains.cmake)
 
   avoidbench_ros_needs(libraries has_pcl ${ROS_NEEDS})
+  if(ROS_EIGEN AND NOT EXISTS ${ROS_EIGEN}/Eigen/Core)
+    message(FATAL_ERROR "avoidbench_ros_planner(${name} EIGEN): there is no ${ROS_EIGEN}/Eigen/Core")
+  endif()
   find_package(Eigen3 QUIET NO_MODULE)
-  if(TARGET Eigen3::Eigen)
+  if(TARGET Eigen3::Eigen AND NOT ROS_EIGEN)
     list(APPEND libraries Eigen3::Eigen)
   endif()
 
   # The planner's own sources: none of our warnings, and as ROS compiles them.
   add_library(${name}_nodes OBJECT ${ROS_SOURCES})
-  target_include_directories(${name}_nodes PRIVATE ${ROS_INCLUDE} ${generated}/messages)
+  # Another Eigen is the planner's alone: nothing between its sources and the runtime has a type of Eigen's.
+  target_include_directories(${name}_nodes PRIVATE ${ROS_EIGEN} ${ROS_INCLUDE} ${generated}/messages)
   if(NOT has_pcl)
     target_include_directories(${name}_nodes PRIVATE ${AVOIDBENCH_ROS_SHIM}/include_pcl)
   endif()
@@ -160,8 +181,12 @@ function(avoidbench_ros_planner name)
   # is loaded once more for every trial.
   set(script ${AVOIDBENCH_ROS_SHIM}/exports.map)
   target_link_options(${name} PRIVATE -Wl,--version-script=${script} -Wl,-Bsymbolic -Wl,-z,now)
+  if(NOT AVOIDBENCH_SANITIZE)  # whose runtime is the program's
+    target_link_options(${name} PRIVATE -Wl,-z,defs)  # all that is missing is told at once, and not at the first trial
+  endif()
   set_target_properties(${name} PROPERTIES PREFIX "" SUFFIX ".so" UNITY_BUILD OFF LINK_DEPENDS ${script}
                         CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+  avoidbench_ros_warn_of_clocks(${name})
   if(ROS_FOLDER)
     set_target_properties(${name} PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${ROS_FOLDER})
   else()

@@ -40,13 +40,15 @@ for folder in "$planner_folder" "$test_folder"; do
 done
 
 # Writes the file $2 from the template $1, with the planner's names filled in.
-write() { sed "s/@NAME@/$name/g; s/@CLASS@/$class/g" "$root/planners/template/$1" >"$2"; }
+write() { sed "s|@PLUGIN@|$plugin|g; s/@NAME@/$name/g; s/@CLASS@/$class/g" "$root/planners/template/$1" >"$2"; }
 
+plugin=$name
+[ $language = cpp ] || plugin=$name.py
 mkdir -p "$planner_folder" "$test_folder"
 if [ $language = python ]; then
   write planner.py.in "$planner_folder/$name.py"
   write README.md.in "$planner_folder/README.md"
-  sed "s|\./build/planners/@NAME@.so|$name.py|; s/@NAME@/$name/g" "$root/planners/template/sweep.yaml.in" >"$planner_folder/sweep.yaml"
+  write sweep.yaml.in "$planner_folder/sweep.yaml"
   write repository_python_test_CMakeLists.txt.in "$test_folder/CMakeLists.txt"
   cat <<EOT
 wrote planners/$name and tests/planners/$name. Next:

@@ -1,5 +1,6 @@
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <span>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "output.hpp"
 #include "plugin/planner_library.hpp"
 #include "plugin/planner_table.hpp"
+#include "process/program.hpp"
 #include "report/table_rows.hpp"
 #include "yaml/yaml_values.hpp"
 
@@ -158,30 +160,84 @@ void check(const std::string& plugin, const OutputOptions& options) {
 }
 
 /// In a folder of its name, or here.
-void make_new(const std::string& name, bool is_here) {
+void make_new(const std::string& name, const std::string& kind_word, bool is_here) {
+  const std::map<std::string, ProjectKind> kinds{{"example", ProjectKind::example},
+                                                 {"class", ProjectKind::cpp_class},
+                                                 {"python", ProjectKind::python},
+                                                 {"weights", ProjectKind::weights}};
+  const ProjectKind kind = kinds.at(kind_word);
   const std::string folder = is_here ? "." : name;
   const std::filesystem::path templates = data_folder() / "planners" / "template";
-  write_planner_project(name, folder, templates);
+  const std::vector<std::string> written = write_planner_project(name, kind, folder, templates);
   const std::string inside = is_here ? "" : name + "/";
-  std::cout << "wrote " << inside << name << ".cpp, CMakeLists.txt, README.md, sweep.yaml. Next:\n"
-            << "  cmake -S " << folder << " -B " << inside
-            << "build -DCMAKE_PREFIX_PATH=" << installation_prefix().string() << '\n'
-            << "  cmake --build " << inside << "build\n"
-            << "  avoidbench planners check " << (is_here ? "./" : inside) << "build/planners/"
-            << name << ".so\n"
+  const std::string plugin =
+      (std::filesystem::path(folder) / project_plugin(name, kind)).lexically_normal().string();
+  std::cout << "wrote " << inside << joined(written) << ". Next:\n";
+  if (!plugin.ends_with(".py")) {
+    std::cout << "  cmake -S " << folder << " -B " << inside
+              << "build -DCMAKE_PREFIX_PATH=" << installation_prefix().string() << '\n'
+              << "  cmake --build " << inside << "build\n";
+  }
+  std::cout << "  avoidbench planners check " << (is_here ? "./" : "") << plugin << '\n'
             << "  avoidbench run " << inside << "sweep.yaml\n";
+}
+
+struct WrapOptions {
+  std::filesystem::path launch, workspace, folder;
+  std::string name;
+  std::vector<std::string> arguments;  ///< NAME:=VALUE, as for roslaunch
+};
+
+/// By the shim's own script: what it knows of topics files and messages stands in Python.
+void wrap(const WrapOptions& options) {
+  const std::filesystem::path script = data_folder() / "planners" / "ros_shim" / "wrap" / "wrap.py";
+  std::vector<std::string> words{python_with({"yaml"}, "planners wrap"), "-B", script.string(),
+                                 "--prefix=" + installation_prefix().string()};
+  if (!options.workspace.empty()) words.push_back("--workspace=" + options.workspace.string());
+  if (!options.folder.empty()) words.push_back("--folder=" + options.folder.string());
+  if (!options.name.empty()) words.push_back("--name=" + options.name);
+  words.insert(words.end(), {"--", options.launch.string()});
+  words.insert(words.end(), options.arguments.begin(), options.arguments.end());
+  std::cout << std::flush;
+  const int code = run_program(words, Standard::shown).code;
+  if (code != 0) throw CLI::RuntimeError(code < 0 ? 1 : code);
+}
+
+void add_wrap_command(CLI::App& planners) {
+  const auto options = std::make_shared<WrapOptions>();
+  CLI::App* command = planners.add_subcommand(
+      "wrap",
+      "Make a planner of a ROS 1 launch file: write the CMakeLists.txt and the topics.yaml that "
+      "compile its nodes unchanged (docs/ros.md)");
+  command->add_option("launch", options->launch, "Launch file of a catkin package")->required();
+  command->add_option("arguments", options->arguments, "Its arguments: NAME:=VALUE");
+  command
+      ->add_option("--workspace", options->workspace,
+                   "Where its packages lie [the src folder or repository above it]")
+      ->option_text("FOLDER");
+  command->add_option("--folder", options->folder, "Where the two files go [NAME]")
+      ->option_text("FOLDER");
+  command->add_option("--name", options->name, "Planner's name [that of the launch file's package]")
+      ->option_text("NAME");
+  command->footer(
+      "Sources are read, not changed; nothing is built or started. Both files mark what was "
+      "guessed, and what\ncan't be told is asked for in one line each.\n\n"
+      "Example:\n"
+      "  avoidbench planners wrap ~/catkin_ws/src/my_planner/launch/fly.launch max_vel:=3");
+  command->callback([options] { wrap(*options); });
 }
 
 }  // namespace
 
 void add_planners_command(CLI::App& app) {
   struct Options {
-    std::string plugin, name;
+    std::string plugin, name, kind = "example";
     bool is_here = false;
     OutputOptions output;
   };
   const auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("planners", "List, describe, check and begin planners");
+  CLI::App* command =
+      app.add_subcommand("planners", "List, describe, check, begin and wrap planners");
   command->footer(
       "Planners are looked up in AVOIDBENCH_PLANNER_PATH (folders separated by colons), the build "
       "tree's planners/\n"
@@ -192,7 +248,8 @@ void add_planners_command(CLI::App& app) {
       "  avoidbench planners list\n"
       "  avoidbench planners describe reactive\n"
       "  avoidbench planners check ./build/my_planner.so\n"
-      "  avoidbench planners new my_planner");
+      "  avoidbench planners new my_planner\n"
+      "  avoidbench planners wrap my_package/launch/fly.launch");
   CLI::App* list_command = command->add_subcommand("list", "All planners on the search path");
   CLI::App* describe_command =
       command->add_subcommand("describe", "What a planner sees, commands, and can be tuned by");
@@ -207,12 +264,19 @@ void add_planners_command(CLI::App& app) {
     each->add_option("planner", options->plugin, "Name or file of a planner")->required();
   }
   CLI::App* new_command = command->add_subcommand(
-      "new",
-      "Write a small planner that builds and flies, to begin from: a CMake project and a sweep");
+      "new", "Write a small planner that builds and flies, to begin from, and a sweep with it");
   new_command->add_option("name", options->name, "Of a-z, 0-9 and _; also the name of its folder")
       ->required();
   new_command->add_flag("--here", options->is_here, "Into this folder, not into one of its name");
-  new_command->callback([options] { make_new(options->name, options->is_here); });
+  new_command
+      ->add_option(
+          "--kind", options->kind,
+          "example: in C++; class: a C++ class of yours, with plain inputs; python; weights: "
+          "a Python class with a net's weights")
+      ->check(CLI::IsMember({"example", "class", "python", "weights"}))
+      ->option_text("KIND [example]");
+  new_command->callback([options] { make_new(options->name, options->kind, options->is_here); });
+  add_wrap_command(*command);
   list_command->callback([options] { list(options->output); });
   describe_command->callback([options] { describe(options->plugin, options->output); });
   check_command->callback([options] { check(options->plugin, options->output); });

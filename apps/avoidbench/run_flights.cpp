@@ -160,19 +160,6 @@ void require_flights(const SweepSpec& sweep, const RunSummary& summary, const st
                         ". `avoidbench maps show` draws the map");
 }
 
-/// Times and memory beyond which a planner, or a stop, is not waited for.
-void add_limits(CLI::App& command, RunCommand& options) {
-  add_number(command, "--plan-timeout", options.plan_timeout_s, CLI::PositiveNumber,
-             "Wall time after which a plan call counts as hung, s");
-  add_number(command, "--trial-timeout", options.trial_timeout_s, CLI::PositiveNumber,
-             "Wall time after which a whole trial counts as hung, s");
-  add_number(command, "--memory-limit", options.memory_limit_mib, CLI::PositiveNumber,
-             "Resident memory of a worker, MiB; its trial ends with planner_crashed beyond "
-             "it [nine tenths of what there is, shared by the workers]");
-  add_number(command, "--grace", options.grace_s, CLI::NonNegativeNumber,
-             "Time that trials in flight have after a signal to stop, s");
-}
-
 /// What planners may do, and what is kept of them.
 void add_protection(CLI::App& command, RunCommand& options) {
   command.add_flag("--in-process", options.in_process, "Fly in this process, for debuggers");
@@ -273,8 +260,20 @@ void add_sweep_options(CLI::App& app, RunCommand& options) {
              "Worker processes; 0: one per allowed CPU");
 }
 
+void add_limit_options(CLI::App& command, RunCommand& options) {
+  add_number(command, "--plan-timeout", options.plan_timeout_s, CLI::PositiveNumber,
+             "Wall time after which a plan call counts as hung, s");
+  add_number(command, "--trial-timeout", options.trial_timeout_s, CLI::PositiveNumber,
+             "Wall time after which a whole trial counts as hung, s");
+  add_number(command, "--memory-limit", options.memory_limit_mib, CLI::PositiveNumber,
+             "Resident memory of a worker, MiB; its trial ends with planner_crashed beyond "
+             "it [nine tenths of what there is, shared by the workers]");
+  add_number(command, "--grace", options.grace_s, CLI::NonNegativeNumber,
+             "Time that trials in flight have after a signal to stop, s");
+}
+
 void add_flight_options(CLI::App& app, RunCommand& options) {
-  add_limits(app, options);
+  add_limit_options(app, options);
   app.add_option("--progress", options.progress, "On stderr: line, or json for machines")
       ->check(CLI::IsMember({"line", "json"}));
   add_typed(app, "--heartbeat", options.heartbeat, "FILE",

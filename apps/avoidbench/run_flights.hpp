@@ -41,6 +41,8 @@ std::int64_t fly_sweep(const RunCommand& command, const SweepSpec& sweep, const 
 
 /// SWEEP, --set, --db, --jobs.
 void add_sweep_options(CLI::App& app, RunCommand& options);
+/// Times and memory beyond which a planner, or a stop, is not waited for.
+void add_limit_options(CLI::App& command, RunCommand& options);
 /// Progress, limits of time and memory, sandbox.
 void add_flight_options(CLI::App& app, RunCommand& options);
 

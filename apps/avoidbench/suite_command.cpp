@@ -96,6 +96,7 @@ void add_flying(CLI::App& command, RunCommand& options) {
   command.add_flag("--no-sandbox", options.no_sandbox,
                    "Let planners write files, start programs and use the network (docs/trust.md)");
   command.add_flag("-q,--quiet", options.quiet, "No progress on stderr");
+  add_limit_options(command, options);
 }
 
 void add_run_suite(CLI::App& suite) {

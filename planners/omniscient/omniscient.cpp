@@ -53,6 +53,7 @@ class Omniscient {
     yaw_rad_ = mission.start_yaw_rad;
     latency_s_ = std::isfinite(mission.command_latency_s) ? mission.command_latency_s : 0.0;
     begin_s_.reset();
+    line_.clear();
     goal_.reset(mission);
     Line widest;  // path, as it was asked for
     for (const double margin_m : kMargins_m) {
@@ -74,6 +75,7 @@ class Omniscient {
   }
 
   std::optional<ab_command> plan(const ab_observation& seen) {
+    if (line_.empty()) return std::nullopt;  // reset() gave up
     // A goal that moves comes back to where it was: there it is waited for.
     if (goal_.update(seen) && !goal_.is_next() && !flown_limits_.ends_at_rest) {
       flown_limits_.ends_at_rest = true;
@@ -103,6 +105,7 @@ class Omniscient {
     Line corners;
     for (const avoidbench::Vec3& point : world_.shortest_path_m(radius_m)) {
       corners.emplace_back(avoidbench::as_vector(point));
+      if (!corners.back().allFinite()) return {};  // to a goal that is no place
     }
     if (corners.size() < 2) return {};
     const Line path = omniscient::resampled(corners, kLineStep_m);

@@ -109,6 +109,8 @@ class LiveFile:
         for one in self.published:
             if one["kind"] in ("tf", "message"):
                 raise one["place"].problem(f"{one['kind']} is for ros_shim alone: start a node that publishes it")
+        if "world" in values:
+            raise values["world"].problem("world is for ros_shim alone: here nodes live in avoidbench's world")
         self.command = topics_spec.CommandSpec(values["command"])
         self.notes = []
         self._check_nodes(tree)

@@ -232,20 +232,23 @@ def package_name(folder):
 
 
 def package_files(path):
-    """(package, .msg or .srv file) of what the command line names."""
+    """(package, .msg, .srv or .cfg file) of what the command line names; the last are for make_configs.py."""
     path = path.resolve()
-    if path.suffix in (".msg", ".srv"):
-        folder = path.parent.parent if path.parent.name in ("msg", "srv") else path.parent
+    if path.suffix in (".msg", ".srv", ".cfg"):
+        folder = path.parent.parent if path.parent.name in ("msg", "srv", "cfg") else path.parent
         return [(package_name(folder), path)]
     if not path.is_dir():
         raise Problem(f"{path}: no such folder")
-    if path.name in ("msg", "srv"):
+    if path.name in ("msg", "srv", "cfg"):
         path = path.parent
     files = []
     for kind in ("msg", "srv"):
         files += sorted((path / kind if (path / kind).is_dir() else path).glob(f"*.{kind}"))
+    files += sorted((path / "cfg").glob("*.cfg"))
     if not files:
-        raise Problem(f"{path}: no .msg or .srv files in it or in its folders msg and srv")
+        raise Problem(
+            f"{path}: no .msg or .srv files in it or its folders msg and srv, no .cfg files in its folder cfg"
+        )
     return [(package_name(path), file) for file in files]
 
 
@@ -421,6 +424,13 @@ def require_no_cycles(messages):
         visit(message, {message.type()})
 
 
+def write(file, text):
+    """Where it changes the file: what includes it compiles again only then."""
+    file.parent.mkdir(parents=True, exist_ok=True)
+    if not file.exists() or file.read_text() != text:
+        file.write_text(text)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("packages", nargs="+", type=pathlib.Path)
@@ -431,7 +441,7 @@ def main():
     )
     asked = parser.parse_args()
     try:
-        files = [file for package in asked.packages for file in package_files(package)]
+        files = [one for package in asked.packages for one in package_files(package) if one[1].suffix != ".cfg"]
         if asked.list:
             print("\n".join(f"{package}/{file.stem}.h" for package, file in files))
             return 0
@@ -453,10 +463,7 @@ def main():
         f"{package}/{file.stem}": service_text(package, file.stem) for package, file in files if file.suffix == ".srv"
     }
     for name, text in headers.items():
-        file = asked.out / f"{name}.h"
-        file.parent.mkdir(parents=True, exist_ok=True)
-        if not file.exists() or file.read_text() != text:  # others compile again only where something changed
-            file.write_text(text)
+        write(asked.out / f"{name}.h", text)
     return 0
 
 

@@ -14,7 +14,7 @@ import sys
 
 import topics_file
 import topics_spec
-from make_messages import quoted
+from make_messages import quoted, write
 from topics_file import Problem
 
 FUNCTIONS = {
@@ -76,7 +76,7 @@ def number_cpp(tree):
         return real(rest[0])
     if what == "given":
         return f"given.{rest[0]}"
-    if what == "own":
+    if what in ("own", "own integer"):
         return f"given.numbers[{rest[0]}]"
     parts = [number_cpp(one) for one in rest]
     if what == "negative":
@@ -260,13 +260,23 @@ class Planner:
             for index, one in enumerate(self.messages)
         ]
         self.topics = topics
+        self.world = topics_spec.world_of(values["world"], expressions) if "world" in values else None
         self.command = Command(values["command"])
+
+    def world_lines(self):
+        """The function that says where the nodes' own world lies."""
+        if self.world is None:
+            return []
+        numbers = ", ".join(number_cpp(one) if isinstance(one, tuple) else real(one) for one in self.world)
+        head = "std::array<double, 4> world(const Given& given) {"
+        return [head, "  static_cast<void>(given);", f"  return {{{{{numbers}}}}};", "}", ""]
 
     def cpp(self):
         count = len(self.parameters) + 1
         lines = [
             "// By make_planner.py.",
             "#include <algorithm>",
+            "#include <array>",
             "#include <cmath>",
             "#include <limits>",
             "",
@@ -300,6 +310,7 @@ class Planner:
             *self.lines,
             "}",
             "",
+            *self.world_lines(),
             "ros::Subscriber subscribe(ros::NodeHandle& host, const CommandForm& form,",
             "                          std::function<void(SetPoints)> take) {",
             f"  using Message = {self.command.type.replace('/', '::')};",
@@ -318,6 +329,7 @@ class Planner:
             *[f"  spec.packages.push_back({{{quoted(a)}, {quoted(b)}}});" for a, b in self.packages],
             *self.published,
             self.command.cpp,
+            *(["  spec.world = &world;"] if self.world else []),
             "  spec.set_parameters = &set_parameters;",
             "  spec.subscribe = &subscribe;",
             "  return spec;",
@@ -334,11 +346,6 @@ class Planner:
             "",
         ]
         return "\n".join(lines)
-
-
-def write(file, text):
-    if not file.exists() or file.read_text() != text:  # compile again only where something changed
-        file.write_text(text)
 
 
 def main():
@@ -359,7 +366,6 @@ def main():
         return 1
     for note in planner.notes:
         print(note, file=sys.stderr)
-    asked.out.mkdir(parents=True, exist_ok=True)
     write(asked.out / f"{asked.name}_planner.cpp", planner.cpp())
     listing = []
     for node in planner.nodes:

@@ -56,7 +56,7 @@ CLOUD_KEYS = {"stride_px": "camera", "camera": "camera", "points_in": "lidar"}
 GOAL_TYPES = ("geometry_msgs/PoseStamped", "geometry_msgs/PointStamped", "nav_msgs/Path", "geometry_msgs/Pose")
 # Keys of a topics file; each says which of the two takes it, where it is one of them alone.
 KEYS = ["version", "summary", "lead_s", "compute_clock_us", "nodes", "params", "packages", "parameters", "publish"]
-KEYS += ["command", "live"]
+KEYS += ["command", "live", "world"]
 PARAMETER_KEYS = ["name", "unit", "kind", "default", "lowest", "highest", "choices", "doc"]
 NODE_KEYS = ["name", "main", "run", "namespace", "remap", "params", "args"]
 TYPE = re.compile(r"[A-Za-z]\w*/[A-Za-z]\w*")
@@ -321,6 +321,20 @@ def seen_of(topics):
     """What a planner sees of which these topics are published, as avoidbench.Planner names it."""
     states = ["states"] if any(one["all_states"] for one in topics) else []
     return tuple(dict.fromkeys(["state", *(one["sees"] for one in topics), *states]))
+
+
+def world_of(tree, expressions):
+    """`world`: numbers of where the nodes' own world lies in avoidbench's: x_m, y_m, z_m, yaw_rad; 0 where left out."""
+    keys = ["x_m", "y_m", "z_m", "yaw_rad"]
+    values = tree.map(keys)
+    found = []
+    for key in keys:
+        value = value_of(values[key], expressions) if key in values else 0.0
+        is_text = isinstance(value, tuple) and value[0] == "own text"
+        if isinstance(value, bool) or not isinstance(value, (int, float, tuple)) or is_text:
+            raise values[key].problem(f"{key} is a number, or ${{…}} of numbers")
+        found.append(value)
+    return found
 
 
 class CommandSpec:

@@ -29,12 +29,19 @@ for bad in Drift 2drift 'a b' ../x '' support; do
     exit 1
   fi
 done
-! grep -r '@NAME@\|@CLASS@' drift copy/planners/drift copy/tests || { echo "a name was not put in"; exit 1; }
+! grep -r '@NAME@\|@CLASS@\|@PLUGIN@' drift copy/planners/drift copy/tests || { echo "a name was not put in"; exit 1; }
 
 cmake -S "$work/drift" -B "$work/build" -DCMAKE_PREFIX_PATH="$work/prefix" -DCMAKE_CXX_COMPILER="$compiler" \
   -DCMAKE_CXX_FLAGS="-Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Wold-style-cast -Werror" >/dev/null
 cmake --build "$work/build" >/dev/null
 "$conformance" "$work/build/planners/drift.so"
+
+# A C++ class behind an adapter.
+"$program" planners new class --kind class >/dev/null
+cmake -S class -B class/build -DCMAKE_PREFIX_PATH="$work/prefix" -DCMAKE_CXX_COMPILER="$compiler" \
+  -DCMAKE_CXX_FLAGS="-Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Wold-style-cast -Werror" >/dev/null
+cmake --build class/build >/dev/null
+"$conformance" class/build/planners/class.so
 
 # A planner that ends by its clock and seeds from chance repeats by what the SDK compiles into it.
 mkdir anytime && cp "$source_folder/tests/planners/repeatable/anytime.cpp" anytime

@@ -101,7 +101,7 @@ class Runs:
         return said
 
     def call(self, *words):
-        return subprocess.run([self.program, *map(str, words)], env=self.environment, capture_output=True, text=True)
+        return subprocess.run([self.program, *map(str, words)], env=self.environment, capture_output=True, text=True, cwd=self.folder)
 
     def left_behind(self):
         """Processes of this test's runs that live on."""
@@ -402,7 +402,11 @@ def mistakes(runs):
 
 
 def checked(runs):
-    for planner in (runs.programs / "straight_line", runs.sources / "python/examples/straight_line.py"):
+    planners = [runs.programs / "straight_line", runs.sources / "python/examples/straight_line.py"]
+    for kind in ("python", "weights"):  # what users begin from
+        runs.expect(f"planners new --kind {kind}", runs.call("planners", "new", kind, "--kind", kind).returncode == 0)
+        planners.append(runs.folder / kind / f"{kind}.py")
+    for planner in planners:
         found = runs.call("planners", "check", planner)
         runs.expect(f"planners check {planner.name}", found.returncode == 0, found.stdout + found.stderr)
     runs.expect_nothing_left("after checks")

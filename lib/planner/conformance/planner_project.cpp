@@ -52,9 +52,34 @@ bool is_taken(const std::string& name) {
          class_name(name) == "Vec3";
 }
 
-std::string filled_in(std::string text, const std::string& name) {
-  const std::array<std::pair<std::string, std::string>, 2> words{
-      {{"@NAME@", name}, {"@CLASS@", class_name(name)}}};
+using Names =
+    std::pair<std::string, std::string>;  ///< of a template, without .in; of what it becomes
+
+std::vector<Names> project_files(const std::string& name, ProjectKind kind) {
+  std::vector<Names> files;
+  switch (kind) {
+    case ProjectKind::example:
+      files = {{"planner.cpp", name + ".cpp"}, {"CMakeLists.txt", "CMakeLists.txt"}};
+      break;
+    case ProjectKind::cpp_class:
+      files = {{"class.hpp", name + ".hpp"},
+               {"class_planner.cpp", name + ".cpp"},
+               {"CMakeLists.txt", "CMakeLists.txt"}};
+      break;
+    case ProjectKind::python:
+      files = {{"planner.py", name + ".py"}};
+      break;
+    case ProjectKind::weights:
+      files = {{"weights_planner.py", name + ".py"}, {"weights.json", "weights.json"}};
+      break;
+  }
+  for (const char* always : {"README.md", "sweep.yaml"}) files.emplace_back(always, always);
+  return files;
+}
+
+std::string filled_in(std::string text, const std::string& name, ProjectKind kind) {
+  const std::array<std::pair<std::string, std::string>, 3> words{
+      {{"@NAME@", name}, {"@CLASS@", class_name(name)}, {"@PLUGIN@", project_plugin(name, kind)}}};
   for (const auto& [word, value] : words) {
     for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at)) {
       text.replace(at, word.size(), value);
@@ -67,8 +92,13 @@ std::string filled_in(std::string text, const std::string& name) {
 
 }  // namespace
 
-void write_planner_project(const std::string& name, const fs::path& folder,
-                           const fs::path& templates) {
+std::string project_plugin(const std::string& name, ProjectKind kind) {
+  const bool is_python = kind == ProjectKind::python || kind == ProjectKind::weights;
+  return is_python ? name + ".py" : "./build/planners/" + name + ".so";
+}
+
+std::vector<std::string> write_planner_project(const std::string& name, ProjectKind kind,
+                                               const fs::path& folder, const fs::path& templates) {
   if (!is_name(name)) {
     throw InputError("'" + name +
                      "' is no name of a planner: use a-z, 0-9 and _, and begin with a letter");
@@ -76,12 +106,12 @@ void write_planner_project(const std::string& name, const fs::path& folder,
   if (is_taken(name)) throw InputError("the name '" + name + "' is taken by the build");
   // All is read and looked at before anything is written, so that an error leaves no half project.
   std::vector<std::pair<fs::path, std::string>> files;
-  for (const auto& [from, to] : {std::pair<std::string, std::string>{"planner.cpp", name + ".cpp"},
-                                 {"CMakeLists.txt", "CMakeLists.txt"},
-                                 {"README.md", "README.md"},
-                                 {"sweep.yaml", "sweep.yaml"}}) {
-    files.emplace_back(folder / to,
-                       filled_in(read_input_file(templates / (from + ".in"), kMostBytes), name));
+  std::vector<std::string> names;
+  for (const auto& [from, to] : project_files(name, kind)) {
+    names.push_back(to);
+    files.emplace_back(
+        folder / to,
+        filled_in(read_input_file(templates / (from + ".in"), kMostBytes), name, kind));
     std::error_code error;
     // symlink_status: a dangling link is there, too; writing through it would make a file
     // elsewhere.
@@ -97,6 +127,7 @@ void write_planner_project(const std::string& name, const fs::path& folder,
     for (const auto& [written, of] : files) fs::remove(written, error);
     throw InputError(file.string() + ": can't be written");
   }
+  return names;
 }
 
 }  // namespace avoidbench

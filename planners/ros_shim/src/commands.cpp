@@ -12,6 +12,11 @@ namespace portable = avoidbench::portable;
 
 double seconds(std::int64_t nanoseconds) { return 1e-9 * static_cast<double>(nanoseconds); }
 
+double distance(const std::array<double, 3>& a, const std::array<double, 3>& b) {
+  const double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
+  return std::sqrt(x * x + y * y + z * z);
+}
+
 double yaw_of(const ab_state& state) {
   const double* q = state.q_world_body;
   return yaw_of_quaternion(q[1], q[2], q[3], q[0]);
@@ -46,22 +51,61 @@ double yaw_of_quaternion(double x, double y, double z, double w) {
   return portable::atan2(2.0 * (w * z + x * y), 1.0 - 2.0 * (y * y + z * z));
 }
 
-Commands::Commands(const CommandForm& form, const ab_setup& setup)
-    : form_(form), plan_period_s_(setup.plan_period_s), gravity_mps2_(setup.gravity_mps2) {}
+Commands::Commands(const CommandForm& form, const ab_setup& setup, const ab_mission& mission,
+                   double max_speed_mps)
+    : form_(form),
+      plan_period_s_(setup.plan_period_s),
+      gravity_mps2_(setup.gravity_mps2),
+      far_m_(2.0 + max_speed_mps),
+      start_world_m_{mission.start_world_m[0], mission.start_world_m[1], mission.start_world_m[2]} {
+}
 
 void Commands::take(SetPoints points) {
   if (points.empty()) return;
   if (form_.body_velocity) {
     for (SetPoint& point : points) point.in_heading_frame = true;
   }
+  if (now_ns() < kStart_ns) warn_of_early(points.front());
   last_ = std::move(points);
+}
+
+/// A planner that begins by itself within lead_s is ahead of the vehicle at the trial's time 0.
+void Commands::warn_of_early(const SetPoint& point) {
+  // To hover where the vehicle is does no harm.
+  const bool moves = (point.has_position && distance(point.position_m, start_world_m_) > 0.1) ||
+                     (point.has_velocity && distance(point.velocity_mps, {}) > 0.05);
+  if (has_warned_of_early_ || !moves) return;
+  has_warned_of_early_ = true;
+  log(Level::warning,
+      formatted("a command to move came on %s %.2f s before the trial's time 0, when the vehicle "
+                "does not fly yet: does the planner start by itself within lead_s?",
+                form_.topic.c_str(), seconds(kStart_ns - now_ns())));
+}
+
+/// Farther than a vehicle that follows its set points lags behind.
+void Commands::warn_of_far(const ab_command& command, const ab_state& state) {
+  const double* place = command.position_world_m;
+  if (command.kind == AB_COMMAND_TRAJECTORY) {
+    place = command.points[0].position_world_m;
+  } else if (command.kind != AB_COMMAND_POSITION) {
+    return;
+  }
+  const double* at = state.position_world_m;
+  const double away_m = distance({place[0], place[1], place[2]}, {at[0], at[1], at[2]});
+  if (has_warned_of_far_ || !(away_m > far_m_)) return;
+  has_warned_of_far_ = true;
+  log(Level::warning, formatted("the set point is %.1f m from the vehicle (topic %s): does the "
+                                "planner start before the trial's time 0 (lead_s)?",
+                                away_m, form_.topic.c_str()));
 }
 
 std::optional<ab_command> Commands::answer(std::int64_t now_ns, const ab_state& state) {
   if (last_.empty()) return std::nullopt;
   if (seconds(now_ns - last_.back().time_ns) > form_.stale_s) return std::nullopt;
-  if (last_.size() == 1) return of_one(last_[0], now_ns, state);
-  return of_many(last_, now_ns);
+  const ab_command command =
+      last_.size() == 1 ? of_one(last_[0], now_ns, state) : of_many(last_, now_ns);
+  warn_of_far(command, state);
+  return command;
 }
 
 ab_command Commands::of_one(const SetPoint& point, std::int64_t now_ns, const ab_state& state) {

@@ -70,29 +70,6 @@ std::int64_t next_event_ns(const Core& core) {
   return next;
 }
 
-/// The timers that are due now enter their nodes' queues, the earliest first, then as they were
-/// made.
-void queue_ticks(Core& core) {
-  std::vector<int> due;
-  for (std::size_t i = 0; i < core.timers.size(); ++i) {
-    if (may_tick(core.timers[i]) && core.timers[i].next_ns <= core.now_ns) {
-      due.push_back(static_cast<int>(i));
-    }
-  }
-  std::stable_sort(due.begin(), due.end(), [&](int a, int b) {
-    return core.timers[static_cast<std::size_t>(a)].next_ns <
-           core.timers[static_cast<std::size_t>(b)].next_ns;
-  });
-  for (const int index : due) {
-    Timer& timer = core.timers[static_cast<std::size_t>(index)];
-    timer.is_waiting = true;
-    Waiting waiting;
-    waiting.order = core.next_order++;
-    waiting.timer = index;
-    timer.node->queue.push_back(waiting);
-  }
-}
-
 void run_tick(Core& core, int index) {
   const auto timer_at = [&]() -> Timer& { return core.timers[static_cast<std::size_t>(index)]; };
   Timer& timer = timer_at();
@@ -110,6 +87,33 @@ void run_tick(Core& core, int index) {
   Timer& after = timer_at();
   after.is_waiting = false;
   if (after.next_ns + after.period_ns < core.now_ns) after.next_ns = core.now_ns;
+}
+
+/// The timers that are due now enter their nodes' queues, the earliest first, then as they were
+/// made.
+void queue_ticks(Core& core) {
+  std::vector<int> due;
+  for (std::size_t i = 0; i < core.timers.size(); ++i) {
+    if (may_tick(core.timers[i]) && core.timers[i].next_ns <= core.now_ns) {
+      due.push_back(static_cast<int>(i));
+    }
+  }
+  std::stable_sort(due.begin(), due.end(), [&](int a, int b) {
+    return core.timers[static_cast<std::size_t>(a)].next_ns <
+           core.timers[static_cast<std::size_t>(b)].next_ns;
+  });
+  for (const int index : due) {
+    Timer& timer = core.timers[static_cast<std::size_t>(index)];
+    if (!timer.node->fibre) {  // the host's side: now, whatever nodes do
+      run_tick(core, index);
+      continue;
+    }
+    timer.is_waiting = true;
+    Waiting waiting;
+    waiting.order = core.next_order++;
+    waiting.timer = index;
+    timer.node->queue.push_back(waiting);
+  }
 }
 
 void run_scheduler(Core& core, std::int64_t to_ns) {

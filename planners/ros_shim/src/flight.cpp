@@ -74,6 +74,16 @@ Given given_of(const ab_setup& setup, const ab_mission& mission) {
   return given;
 }
 
+/// The vehicle's limit, or a lower one that a parameter of the planner sets.
+double max_speed_mps(const ab_setup& setup, const Given& given) {
+  double limit_mps = setup.max_speed_mps;
+  for (std::uint32_t i = 0; i < planner_table.parameter_count; ++i) {
+    if (std::strcmp(planner_table.parameters[i]->name, "max_speed_mps") != 0) continue;
+    limit_mps = std::min(limit_mps, given.numbers[i]);
+  }
+  return limit_mps;
+}
+
 void require_finite(const double (&values)[3], const char* what) {
   for (const double value : values) {
     if (!std::isfinite(value)) throw std::runtime_error(std::string(what) + " is not finite");
@@ -144,10 +154,19 @@ constexpr CopyTable kCopyTable{&begin, &plan, &end};
 
 }  // namespace
 
-Flight::Flight(const ab_host& host, const ab_setup& setup, const ab_mission& mission)
+Flight::Flight(const ab_host& host, const ab_setup& setup, const ab_mission& of_host)
     : spec_(planner_spec()) {
-  require_finite(mission.start_world_m, "the mission's start");
-  require_finite(mission.goal_world_m, "the mission's goal");
+  require_finite(of_host.start_world_m, "the mission's start");
+  require_finite(of_host.goal_world_m, "the mission's goal");
+  if (spec_.world != nullptr) {
+    const std::array<double, 4> lies = spec_.world(given_of(setup, of_host));
+    for (const double number : lies) {
+      if (!std::isfinite(number)) throw std::runtime_error("world: a number that is not finite");
+    }
+    world_.emplace(std::array<double, 3>{lies[0], lies[1], lies[2]}, lies[3]);
+  }
+  const ab_mission turned = world_ ? world_->of(of_host) : ab_mission{};
+  const ab_mission& mission = world_ ? turned : of_host;
   const Given given = given_of(setup, mission);
   const std::int64_t lead_ns = nanoseconds_of(spec_.lead_s);
   auto fresh = std::make_unique<Core>();
@@ -163,7 +182,8 @@ Flight::Flight(const ab_host& host, const ab_setup& setup, const ab_mission& mis
   for (const auto& [package, folder] : spec_.packages) core.packages[package] = folder;
   try {
     observations_ = std::make_unique<Observations>(spec_, setup, mission, given);
-    commands_ = std::make_unique<Commands>(spec_.command, setup);
+    commands_ =
+        std::make_unique<Commands>(spec_.command, setup, mission, max_speed_mps(setup, given));
     ros::NodeHandle node;
     command_ = spec_.subscribe(node, spec_.command,
                                [this](SetPoints points) { commands_->take(std::move(points)); });
@@ -192,17 +212,19 @@ Flight::~Flight() {
   set_core(nullptr);
 }
 
-std::optional<ab_command> Flight::plan(const ab_observation& seen) {
+std::optional<ab_command> Flight::plan(const ab_observation& of_host) {
+  require_finite(of_host.state->position_world_m, "the position");
+  require_finite(of_host.state->velocity_world_mps, "the velocity");
+  const ab_observation& seen = world_ ? world_->of(of_host) : of_host;
   const ab_state& state = *seen.state;
-  require_finite(state.position_world_m, "the position");
-  require_finite(state.velocity_world_mps, "the velocity");
   // A delayed state is not the present. Hosts of before they said the time: the state's.
   const bool has_time = seen.struct_size >= offsetof(ab_observation, state_count);
   const double call_s = has_time ? seen.time_s : state.time_s;
   const std::int64_t to_ns = std::max(now_ns(), ros_time_ns(call_s));
   observations_->publish(seen, to_ns);
   advance(to_ns);
-  return commands_->answer(to_ns, state);
+  const std::optional<ab_command> command = commands_->answer(to_ns, state);
+  return command && world_ ? world_->back(*command) : command;
 }
 
 }  // namespace ros_shim

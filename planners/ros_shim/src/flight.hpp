@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -8,6 +9,7 @@
 
 #include "avoidbench/goals.hpp"
 #include "avoidbench/planner.h"
+#include "nodes_world.hpp"
 #include "planner_spec.hpp"
 
 namespace ros_shim {
@@ -39,6 +41,14 @@ class Observations {
   void publish_picture(const ab_picture& picture, int eye);
   void publish_goals();
   void publish_messages(bool are_starting);
+  void publish_message(std::size_t index);
+
+  /// Of any type; the timer repeats it, where it is repeated.
+  struct Message {
+    std::function<void()> publish;
+    ros::Timer repeat;
+    bool is_sent = false;
+  };
 
   const PlannerSpec* spec_;
   ab_mission mission_;
@@ -48,8 +58,8 @@ class Observations {
   ros::NodeHandle host_;
   std::vector<ros::Publisher> odometry_, poses_, twists_, imu_, transforms_, camera_poses_, depth_,
       depth_info_, clouds_, sweeps_, pictures_, picture_info_, goals_;
-  std::vector<std::function<void()>> messages_;
-  std::vector<std::int64_t> goal_due_ns_, message_due_ns_;
+  std::vector<Message> messages_;
+  std::vector<std::int64_t> goal_due_ns_;
   avoidbench::CurrentGoal goal_;
   std::uint32_t sequence_ = 0;
   bool sees_states_ = false;
@@ -58,7 +68,9 @@ class Observations {
 /// Set points to answers.
 class Commands {
  public:
-  Commands(const CommandForm& form, const ab_setup& setup);
+  /// `max_speed_mps`: the vehicle's and the planner's own limit, the lower of them.
+  Commands(const CommandForm& form, const ab_setup& setup, const ab_mission& mission,
+           double max_speed_mps);
   void take(SetPoints points);
   /// The answer at ROS time `now_ns`; none where no set point came or the last one is old.
   std::optional<ab_command> answer(std::int64_t now_ns, const ab_state& state);
@@ -66,9 +78,13 @@ class Commands {
  private:
   ab_command of_one(const SetPoint& point, std::int64_t now_ns, const ab_state& state);
   ab_command of_many(const SetPoints& points, std::int64_t now_ns);
+  void warn_of_early(const SetPoint& point);
+  void warn_of_far(const ab_command& command, const ab_state& state);
 
   CommandForm form_;
-  double plan_period_s_, gravity_mps2_;
+  double plan_period_s_, gravity_mps2_, far_m_;
+  std::array<double, 3> start_world_m_;
+  bool has_warned_of_early_ = false, has_warned_of_far_ = false;
   SetPoints last_;
   std::vector<ab_point> points_;
 };
@@ -84,6 +100,7 @@ class Flight {
 
  private:
   PlannerSpec spec_;
+  std::optional<NodesWorld> world_;
   std::unique_ptr<Observations> observations_;
   std::unique_ptr<Commands> commands_;
   ros::Subscriber command_;

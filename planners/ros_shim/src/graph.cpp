@@ -246,7 +246,6 @@ int make_timer(std::int64_t period_ns, bool once, std::function<void(const Timer
     throw std::invalid_argument("a timer's period must be positive");
   }
   Core& core = ros_shim::core();
-  if (!core.current->fibre) throw std::logic_error("only nodes have timers");
   Timer timer;
   timer.node = core.current;
   timer.period_ns = period_ns;

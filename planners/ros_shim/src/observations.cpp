@@ -211,9 +211,14 @@ Observations::Observations(const PlannerSpec& spec, const ab_setup& setup,
                          : host_.advertise<geometry_msgs::Pose>(one.topic, 1));
   }
   for (const MessageTopic& one : spec.messages) {
-    messages_.push_back(one.advertise(host_, given_));
+    const std::size_t k = messages_.size();
+    messages_.push_back({one.advertise(host_, given_), {}, false});
+    if (one.every_s <= 0.0) continue;
+    messages_[k].repeat = host_.createTimer(
+        ros::Duration(one.every_s),
+        ros::TimerCallback([this, k](const ros::TimerEvent&) { publish_message(k); }), false,
+        false);
   }
-  message_due_ns_.assign(spec.messages.size(), 0);
   goal_.reset(mission);
   goal_due_ns_.assign(spec.goals.size(), 0);
   const auto wants_all = [](const auto& topic) { return topic.all_states; };
@@ -285,7 +290,7 @@ void Observations::publish(const ab_observation& seen, std::int64_t to_ns) {
   if (goal_.update(seen)) {
     goal_due_ns_.assign(goals_.size(), 0);
     for (std::size_t k = 0; k < messages_.size(); ++k) {
-      if (!spec_->messages[k].at_start) message_due_ns_[k] = 0;
+      if (!spec_->messages[k].at_start) messages_[k].is_sent = false;
     }
   }
   given_.goal_x_m = goal_.place_world_m()[0];
@@ -469,19 +474,21 @@ void Observations::publish_picture(const ab_picture& picture, int eye) {
 
 void Observations::publish_messages(bool are_starting) {
   for (std::size_t k = 0; k < messages_.size(); ++k) {
-    const MessageTopic& topic = spec_->messages[k];
-    if ((are_starting && !topic.at_start) || now_ns() < message_due_ns_[k]) continue;
-    // From when it was due, not from now: calls come at their own rate.
-    std::int64_t& due_ns = message_due_ns_[k];
-    const std::int64_t period_ns = nanoseconds_of(topic.every_s);
-    if (due_ns == 0) due_ns = now_ns();
-    due_ns = period_ns > 0 ? std::max(due_ns + period_ns, now_ns())
-                           : std::numeric_limits<std::int64_t>::max();
-    try {
-      messages_[k]();
-    } catch (const std::runtime_error& error) {
-      fail_topic(topic.topic, error.what());
-    }
+    Message& message = messages_[k];
+    if (message.is_sent || (are_starting && !spec_->messages[k].at_start)) continue;
+    message.is_sent = true;
+    publish_message(k);
+    // From now on at its own times, whenever calls come.
+    message.repeat.stop();
+    message.repeat.start();
+  }
+}
+
+void Observations::publish_message(std::size_t index) {
+  try {
+    messages_[index].publish();
+  } catch (const std::runtime_error& error) {
+    fail_topic(spec_->messages[index].topic, error.what());
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -120,6 +121,8 @@ struct PlannerSpec {
   std::vector<GoalTopic> goals;
   std::vector<MessageTopic> messages;
   CommandForm command;
+  /// The nodes' own world: where its origin lies, m, and how it is turned, rad; null: avoidbench's.
+  std::array<double, 4> (*world)(const Given& given) = nullptr;
   /// Puts the parameters of all nodes into the parameter server.
   void (*set_parameters)(const Given& given) = nullptr;
   /// Subscribes to the command's topic.

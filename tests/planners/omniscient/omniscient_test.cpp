@@ -26,6 +26,16 @@ TEST(Omniscient, GivesUpWhereThereIsNoWay) {
   EXPECT_NE(planner.reset({}).find("no way to the goal is wide enough"), std::string::npos);
 }
 
+TEST(Omniscient, APathToWhatIsNoPlaceIsNoWay) {
+  PlannerInstance planner = kinematic::instance_of(PLANNER_FILE);
+  planner.show_world({.distance_m = [](const Eigen::Vector3d&) { return 2.5; },
+                      .shortest_path_world =
+                          [](double) {
+                            return Line{{0, 0, 1}, Eigen::Vector3d::Constant(std::nan(""))};
+                          }});
+  EXPECT_NE(planner.reset({}).find("no way to the goal is wide enough"), std::string::npos);
+}
+
 /// In maps of all kinds: it arrives, and faster than any planner that has to see.
 TEST(Omniscient, ArrivesFastOnMapsOfAllKinds) {
   TrialSpec forest, maze, overhangs;

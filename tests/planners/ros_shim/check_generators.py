@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""check_generators.py SHIM: make_messages.py and make_planner.py on good and on bad files; each problem is told with
-its place."""
+"""check_generators.py SHIM: make_messages.py, make_configs.py and make_planner.py on good and on bad files; each
+problem is told with its place."""
 
 import pathlib
 import subprocess
@@ -62,6 +62,44 @@ BAD_SERVICES = {
     "bool a\n---\n---\n": "3:1: a second ---: a service has a request and a response",
     "bool a\n---\nboool b\n": "3:1: there is no message named_srvs/boool: is its package among MESSAGES?",
 }
+BAD_CONFIGS = {
+    "gen.add('a', double_t, 0, 'a', 'fast')\n": "3: default of a is 'fast', which is no double",
+    "gen.add('a', int_t, 0, 'a', 1.5)\n": "3: default of a is 1.5, which is no int",
+    "gen.add('a', int_t, 0, 'a', 2**31)\n": "3: default of a is 2147483648, which is beyond 32 bits",
+    "gen.add('a', int_t, 0, 'a', float('inf'))\n": "3: OverflowError: cannot convert float infinity to integer",
+    "gen.add('a', bool_t, 0, 'a', 2)\n": "3: default of a is 2, which is no bool",
+    "gen.add('a', double_t, 0, 'a', 1, 3, 2)\n": "3: min of a is above its max",
+    "gen.add('a', str_t, 0, 'a', 'b', max='c')\n": '3: "a" is a text: it has no min and no max',
+    "gen.add('a', str_t, 0, 'a', 'b\\0c')\n": "3: default of a has a character that can't stand in a text",
+    "gen.add('a', 'float', 0, 'a')\n": '3: "float" is no type: int_t, double_t, str_t, bool_t',
+    "gen.add('a b', int_t, 0, 'a')\n": '3: "a b" is no name of a parameter: letters, digits and _, a letter first',
+    "gen.add('class', int_t, 0, 'a')\n": '3: "class" is a word of C++',
+    "g = gen.add_group('G')\ngen.add('a', int_t, 0, 'a')\ng.add('a', int_t, 0, 'a')\n": '5: "a" is there already',
+    "gen.const('A', int_t, 1, 'a')\ngen.const('A', int_t, 1, 'a')\n": '4: "A" is there already',
+    "gen.add('a', int_t, 'x', 'a')\n": "3: the level of a is 'x', which is no int",
+    "gen.add('a')\n": "3: TypeError: ",
+    "print 'a'\n": "3: Missing parentheses in call to 'print'. ",
+    "def f():\n  f()\n\nf()\n": "4: RecursionError: ",
+    "import no_such_module\n": "3: ModuleNotFoundError: No module named 'no_such_module'",
+    "pass\n": "3: it ends without generate(PACKAGE, node, name)",
+    "exit(gen.generate('own pkg', 'node', 'Bad'))\n": '3: "own pkg" is no name of a package: ',
+    "gen.generate('own', 'n', 'A')\ngen.generate('own', 'n', 'B')\n": "4: a second generate()",
+}
+CONFIG = "from dynamic_reconfigure.parameter_generator_catkin import *\ngen = ParameterGenerator()\n"
+GOOD_CONFIG = """#!/usr/bin/env python
+PACKAGE = 'named_cfgs'
+import roslib; roslib.load_manifest(PACKAGE)
+from math import pi
+from dynamic_reconfigure.parameter_generator_catkin import *
+gen = ParameterGenerator()
+print("of no interest")
+sizes = gen.enum([gen.const("Small", int_t, 0, "a"), gen.const("Words", str_t, '"b"', "b")], "Sizes")
+gen.add("size", int_t, 1, "", 0, 0, 3, edit_method=sizes)
+angles = gen.add_group("Angles", type="tab", state=False).add_group("Inner")
+angles.add("angle", double_t, -1, "", 0.5 * pi, -pi)
+gen.add("none", bool_t, 2, "")
+exit(gen.generate(PACKAGE, "a_node", "Good"))
+"""
 GOOD_TOPICS = """nodes:
   - name: planner
     params: {gain: "${2 * max_speed_mps}"}
@@ -74,6 +112,9 @@ BAD_TOPICS = {
     ("  odometry: {topic: /odom}", "  odometri: {topic: /odom}"): '5:3: "odometri" is none of odometry, ',
     ("topic: /odom}", "topic: /odom, frames: a}"): '5:28: there is no "frames" here; did you mean frame?',
     ("topic: /odom}", "topic: /odom, all_states: 1}"): '5:40: "1" is neither true nor false',
+    ("publish:", "world: {yaw: 1}\npublish:"): '4:9: there is no "yaw" here; did you mean yaw_rad?',
+    ("publish:", "world: {x_m: left}\npublish:"): "4:14: x_m is a number, or ${…} of numbers",
+    ("publish:", 'world: {x_m: "${start_q_m}"}\npublish:'): '4:14: "start_q_m" is nothing that a trial gives: ',
     ("name: planner", "name: other"): "2:11: no source other.cpp among SOURCES",
     ("max_speed_mps}", "max_sped_mps}"): '3:20: "max_sped_mps" is nothing that a trial gives: ',
     ("2 * max_speed_mps", "2 **"): '3:20: "2 **" is no expression',
@@ -199,6 +240,37 @@ with tempfile.TemporaryDirectory() as name:
     expect("a request", "::geometry_msgs::Point_<ContainerAllocator> goal;" in made["PlanRequest"], made)
     expect("a response", "::nav_msgs::Path_<ContainerAllocator> path;" in made["PlanResponse"], made)
     expect("a service", "using Response = PlanResponse;" in made["Plan"], made)
+    configs = folder / "named_cfgs" / "cfg"
+    configs.mkdir(parents=True)
+    words = ("make_configs.py", "--out", folder / "out", configs.parent)
+    for text, problem in BAD_CONFIGS.items():
+        (configs / "Bad.cfg").write_text(CONFIG + text)
+        code, said, _ = run(*words)
+        expect(
+            f"{text!r}: {problem}", code == 1 and said.startswith(f"{(configs / 'Bad.cfg').resolve()}:{problem}"), said
+        )
+    (configs / "Bad.cfg").write_bytes(b"# dynamic_reconfigure\n\0")
+    code, said, _ = run(*words)
+    expect("no text", code == 1 and said.startswith(f"{(configs / 'Bad.cfg').resolve()}:"), said)
+    (configs / "Bad.cfg").write_text("[of: something else]\n")
+    (configs / "Good.cfg").write_text(GOOD_CONFIG)
+    code, said, printed = run(*words)
+    expect("a good configuration", code == 0 and not said and not printed, said + printed)
+    header = (folder / "out/named_cfgs/GoodConfig.h").read_text()
+    for line in (
+        "namespace named_cfgs {",
+        "const int Good_Small = 0;",
+        r'const char* const Good_Words = "\042b\042";',
+        "made.angle = 1.5707963267948966;",
+        "made.angle = -3.141592653589793;",
+        "made.angle = std::numeric_limits<double>::infinity();",
+        "made.none = false;",
+        "level |= 4294967295U;",
+        'node.getParam("size", size);',
+    ):
+        expect(f"{line} in the configuration", line in header, header)
+    code, said, _ = run("make_messages.py", "--out", folder / "out", *stock, configs.parent)
+    expect("a package of configurations alone has no messages", code == 0, said)
     code, said, _ = run("make_messages.py", "--out", folder / "out", folder / "nowhere")
     expect("a folder that is not there", code == 1 and said.endswith("nowhere: no such folder"), said)
 

@@ -8,14 +8,7 @@
 #include <sstream>
 #include <thread>
 
-#include "planner_spec.hpp"
 #include "simulated_ros.hpp"
-
-// The runtime's objects name them; no test flies them.
-namespace ros_shim {
-PlannerSpec planner_spec() { return {}; }
-const ab_planner planner_table{};
-}  // namespace ros_shim
 
 namespace ros_shim::test {
 namespace {

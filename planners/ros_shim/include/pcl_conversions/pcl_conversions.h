@@ -10,6 +10,7 @@
 #include <type_traits>
 
 #include "ros/time.h"
+#include "sensor_msgs/Image.h"  // as ROS's own does, and sources rely on it
 #include "sensor_msgs/PointCloud2.h"
 #include "std_msgs/Header.h"
 
