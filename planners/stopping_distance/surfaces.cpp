@@ -53,9 +53,8 @@ void Surfaces::add_image(const ab_depth_image& image) {
       const auto nearest = cell_.begin() + static_cast<std::ptrdiff_t>(slips);
       std::nth_element(cell_.begin(), nearest, cell_.end());
       const auto [depth_m, pixel] = *nearest;
-      add_point(vector(avoidbench::pixel_in_world(image, pixel % image.width_px,
-                                                  pixel / image.width_px, depth_m)),
-                image.time_s, depth_m);
+      const std::int32_t x = pixel % image.width_px, y = pixel / image.width_px;
+      add_point(vector(avoidbench::pixel_in_world(image, x, y, depth_m)), image.time_s, depth_m);
     }
   }
 }
