@@ -260,8 +260,8 @@ class Observation(State):
     tracks: tuple[Track, ...] = ()
     """What moves around the vehicle, by the newest scan, of who declares it."""
     wanted: "Command | None" = None
-    """The command of the planner below, of a filter, which declares "command"; None where it has no plan. plan() returns
-    it to let it pass."""
+    """The command of the planner below, of a filter, which declares "command"; None where it has no plan. A filter
+    returns it to let it pass."""
 
     def newest_depth(self, camera: int) -> DepthImage | None:
         """The newest depth image of this camera (index into Setup.cameras) since the last call, or None: none is
@@ -353,7 +353,7 @@ class Planner:
     missions of several goals are refused); with one_camera of a rig one camera alone, which a sweep names
     (`camera: 0`); with command it is a filter, which a sweep names beside a planner (`filter: ./its_file.py`)."""
     commands: ClassVar[Sequence[str]] = ("velocity",)
-    """Of position, velocity, acceleration, trajectory, rates: what plan() may return; of a filter also what it takes."""
+    """Of position, velocity, acceleration, trajectory, rates: what plan() may return, and a filter takes."""
     uses: ClassVar[Sequence[str]] = ()
     """Of processes, devices, network, globals: what it does beside computing and reading files (AB_USES_… of
     planner.h)."""

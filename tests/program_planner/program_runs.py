@@ -101,7 +101,9 @@ class Runs:
         return said
 
     def call(self, *words):
-        return subprocess.run([self.program, *map(str, words)], env=self.environment, capture_output=True, text=True, cwd=self.folder)
+        return subprocess.run(
+            [self.program, *map(str, words)], env=self.environment, capture_output=True, text=True, cwd=self.folder
+        )
 
     def left_behind(self):
         """Processes of this test's runs that live on."""
