@@ -54,7 +54,8 @@ void Surfaces::add_image(const ab_depth_image& image) {
       std::nth_element(cell_.begin(), nearest, cell_.end());
       const auto [depth_m, pixel] = *nearest;
       const std::int32_t x = pixel % image.width_px, y = pixel / image.width_px;
-      add_point(vector(avoidbench::pixel_in_world(image, x, y, depth_m)), image.time_s, depth_m);
+      const auto z_m = static_cast<double>(depth_m);
+      add_point(vector(avoidbench::pixel_in_world(image, x, y, z_m)), image.time_s, z_m);
     }
   }
 }
@@ -62,7 +63,7 @@ void Surfaces::add_image(const ab_depth_image& image) {
 void Surfaces::add_cloud(const ab_cloud& cloud) {
   for (std::uint32_t i = 0; i < cloud.point_count; ++i) {
     const ab_lidar_point& point = cloud.points[i];
-    const double range_m = Eigen::Vector3f(point.position_lidar_m).norm();
+    const double range_m = static_cast<double>(Eigen::Vector3f(point.position_lidar_m).norm());
     if (range_m > 0.0 && range_m < reach_m_) {
       add_point(vector(avoidbench::point_in_world(cloud, point)), cloud.time_s, range_m);
     }
