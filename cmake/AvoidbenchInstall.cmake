@@ -19,8 +19,10 @@ install(DIRECTORY planners/template DESTINATION ${data_folder}/planners COMPONEN
 install(DIRECTORY planners/ros_bridge DESTINATION ${data_folder}/planners COMPONENT programs USE_SOURCE_PERMISSIONS
         PATTERN __pycache__ EXCLUDE)
 # The stand-ins for ROS 1 are sources: avoidbench_ros_planner() builds them with the planner.
-install(DIRECTORY planners/ros_shim DESTINATION ${data_folder}/planners COMPONENT programs
-        PATTERN CMakeLists.txt EXCLUDE PATTERN example EXCLUDE PATTERN __pycache__ EXCLUDE)
+foreach(component programs sdk)  # `planners wrap` and ros_bridge read them, too
+  install(DIRECTORY planners/ros_shim DESTINATION ${data_folder}/planners COMPONENT ${component}
+          PATTERN CMakeLists.txt EXCLUDE PATTERN example EXCLUDE PATTERN __pycache__ EXCLUDE)
+endforeach()
 install(FILES README.md CHANGELOG.md CITATION.cff LICENSE DESTINATION ${data_folder} COMPONENT programs)
 # The build tree has the same by links, and is a package to find, too.
 foreach(folder configs maps docs scripts planners/template planners/ros_shim python/avoidbench)

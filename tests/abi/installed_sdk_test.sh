@@ -14,6 +14,9 @@ for header in planner.h planner.hpp canvas.hpp goals.hpp known_world.hpp planner
   [ -f "$work/prefix/include/avoidbench/$header" ] || { echo "$header is not installed"; exit 1; }
 done
 
+# What avoidbench_ros_planner() compiles.
+[ -f "$work/prefix/share/avoidbench/planners/ros_shim/make_planner.py" ] || { echo "the ROS shim is not installed"; exit 1; }
+
 cd "$work"
 "$program" planners new drift >/dev/null
 mkdir -p copy/scripts copy/planners && cp "$source_folder/scripts/new_planner.sh" copy/scripts && cp -r "$source_folder/planners/template" copy/planners

@@ -162,8 +162,8 @@ class PlannerInstance {
 
   /// Empty text on success, else why it failed.
   std::string reset(const PlannerMission& mission);
-  /// `wanted`: the answer of the planner below, for a filter, which sees its command; null: there
-  /// is none.
+  /// `wanted`: the answer of the planner below, for a filter, which sees its command; null if
+  /// there is no planner below.
   PlanResult plan(const PlannerView& view, const PlanResult* wanted = nullptr);
 
   /// Whether it says what it knows of places (AB_MAP_EXTENSION).

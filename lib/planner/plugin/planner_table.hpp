@@ -41,8 +41,8 @@ bool is_filter(const PlannerDescription& planner);
 /// Why this can't be flown by itself: it is a filter. "" where it can.
 std::string filter_alone_problem(const PlannerDescription& planner);
 
-/// Why commands of this planner can't pass through this filter: that is none, or does not take them
-/// all. "" where they can.
+/// Why commands of this planner can't pass through this filter: it is not a filter, or does not
+/// take all of them. "" where they can.
 std::string filter_problem(const PlannerDescription& filter, const PlannerDescription& planner);
 
 /// The words of "safe|fast".

@@ -5,6 +5,14 @@ busy=""  # a process that ends with the script
 trap 'rm -rf "$folder"; [ -z "$busy" ] || kill "$busy" 2>/dev/null || true' EXIT
 cd "$folder" || exit
 
+# same_rows_under_load PROGRAM SWEEP: as same_rows, beside a process that is always busy.
+same_rows_under_load() {
+  (while :; do :; done) & busy=$!
+  same_rows "$@"
+  kill "$busy"
+  busy=""
+}
+
 # same_rows PROGRAM SWEEP: one and two workers give the same rows, one.db and two.db, and stored trials fly again bit for
 # bit.
 same_rows() {
