@@ -8,7 +8,7 @@ set -euo pipefail
 build_packages=(
   g++ cmake ninja-build make ccache pkg-config git ca-certificates
   libeigen3-dev libembree-dev libopencv-core-dev libopencv-imgproc-dev libopencv-calib3d-dev libyaml-cpp-dev libcli11-dev
-  nlohmann-json3-dev libsqlite3-dev libpng-dev zlib1g-dev nettle-dev libbenchmark-dev sqlite3
+  nlohmann-json3-dev libsqlite3-dev libpng-dev zlib1g-dev liblz4-dev libzstd-dev libbz2-dev nettle-dev libbenchmark-dev sqlite3
 )
 plot_packages=(python3 python3-matplotlib python3-numpy python3-pandas)  # scripts/plot, scripts/custom_metrics.py
 python_packages=(python3-venv python3-dev)
