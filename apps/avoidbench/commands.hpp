@@ -20,6 +20,7 @@ void add_suite_command(CLI::App& app);
 void add_replay_command(CLI::App& app);
 void add_explain_command(CLI::App& app);
 void add_merge_command(CLI::App& app);
+void add_import_command(CLI::App& app);
 void add_planners_command(CLI::App& app);
 void add_maps_command(CLI::App& app);
 void add_sensors_command(CLI::App& app);

@@ -2,6 +2,7 @@
 
 #include "commands.hpp"
 #include "compare/compare_formats.hpp"
+#include "compare/reality.hpp"
 #include "database_choice.hpp"
 #include "output.hpp"
 
@@ -18,7 +19,8 @@ struct CompareCommand {
   std::string min_effect;
   std::string tolerances_file;
   std::string bless_file;
-  bool is_exact = false;
+  bool is_exact = false, is_real = false;
+  std::vector<std::string> more;  // simulations beside `now`
   bool must_be_complete = false;
   CompareSettings settings;
 };
@@ -67,7 +69,27 @@ bool compare_figures(const CompareCommand& command, const TablePair& tables) {
   return count_of(comparison, Verdict::regression) > 0 || (command.must_be_complete && has_gap);
 }
 
+/// How near simulations come to real flights: no gate.
+void compare_with_reality(const CompareCommand& command) {
+  if (command.now.empty()) throw InputError("--real: expected REAL TWIN [TWIN…]");
+  const Database real = open_checked(database_of(command.base));
+  std::vector<Database> simulations;
+  simulations.push_back(open_checked(database_of(command.now)));
+  for (const std::string& file : command.more) {
+    simulations.push_back(open_checked(database_of(file)));
+  }
+  const OptionError no_format("expected table, markdown or json", "", "format");
+  const auto format = enum_from_text<TableFormat>(text(command.format));
+  if (!format) throw no_format;
+  write_table(reality_table(reality_gaps(real, simulations)),
+              {.format = *format, .output = command.output});
+}
+
 void compare(const CompareCommand& command) {
+  if (command.is_real) return compare_with_reality(command);
+  if (!command.more.empty()) {
+    throw InputError(command.more.front() + ": several results beside a base go with --real");
+  }
   if (!command.bless_file.empty()) return bless(command);
   if (command.now.empty() && command.planner.empty()) {
     throw InputError(
@@ -90,6 +112,10 @@ void add_options(CLI::App& command, CompareCommand& options) {
       ->required();
   command.add_option("NEW", options.now,
                      "The same, of the results to judge (default with --planner: BASE)");
+  command.add_option("MORE", options.more, "With --real: further simulations");
+  command.add_flag("--real", options.is_real,
+                   "BASE has real flights (avoidbench import), NEW and MORE simulate them: how "
+                   "near each comes, instead of a judgement; exit code 0");
   CLI::Option* planner = command.add_option(
       "--planner", options.planner,
       "Only this planner, by its label; or BASE:NEW, two planners on the same missions");
@@ -144,7 +170,8 @@ void add_compare_command(CLI::App& app) {
       "  avoidbench compare baseline.csv branch.db --exact\n"
       "  avoidbench compare r.db r.db --sweep forest@1:forest@2  # two revisions of one sweep\n"
       "  avoidbench compare r.db --planner ego:mine              # two planners, mission by "
-      "mission");
+      "mission\n"
+      "  avoidbench compare --real wood.db wood_twin.db wood_wind.db");
 }
 
 }  // namespace avoidbench

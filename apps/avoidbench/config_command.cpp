@@ -79,15 +79,17 @@ void check(const std::string& file, const std::vector<std::string>& overrides, b
 std::string schema_text(const std::string& what) {
   if (what == "vehicle") return vehicle_schema().dump(1) + "\n";
   if (what == "sensor") return sensor_schema().dump(1) + "\n";
-  const std::vector<std::string> kinds{"sweep", "part", "vehicle", "sensor"};
-  if (what != "sweep" && what != "part") {
+  const std::vector<std::string> kinds{"sweep", "part", "flights", "vehicle", "sensor"};
+  if (what != "sweep" && what != "part" && what != "flights") {
     throw InputError("no schema of '" + what + "'" + did_you_mean(what, kinds) + "; it is one of " +
                      joined(kinds));
   }
   std::vector<std::string> problems;
   const std::vector<PlannerDescription> planners = list_planners(problems);
   for (const std::string& problem : problems) std::cerr << "warning: " << problem << "\n";
-  return sweep_schema(planners, what == "part").dump(1) + "\n";
+  return (what == "flights" ? flights_schema(planners) : sweep_schema(planners, what == "part"))
+             .dump(1) +
+         "\n";
 }
 
 std::string keys_text(const Explanation& about) {
@@ -165,7 +167,8 @@ void add_config_command(CLI::App& app) {
   CLI::App* schema = command->add_subcommand(
       "schema", "JSON Schema (2020-12) of a kind of file: editors complete and check by it");
   schema->add_option("what", options->schema,
-                     "sweep, part (a file that sweeps include), vehicle or sensor");
+                     "sweep, part (a file that sweeps include), flights (of `import`), vehicle or "
+                     "sensor");
   add_output_file(*schema, options->schema_output);
   schema->footer(
       "Example:\n"

@@ -99,18 +99,21 @@ void verify_trials(const VerifyChoice& choice, ReplayPlanners& planners,
                [&](const TrialListing& one) { return is_sampled(one.key, choice.share); });
   const std::size_t passed_over =
       std::erase_if(sampled, [](const TrialListing& one) { return is_of_worker(one.outcome); });
+  const std::size_t recorded =
+      std::erase_if(sampled, [](const TrialListing& one) { return one.is_recorded; });
   const Verified verified = fly_all(choice.database, sampled, planners, options);
   for (const auto& [index, text] : verified.lines) std::cout << text;
   std::cout << verified.flown << " trials flown again, " << verified.lines.size() << " different\n";
   if (passed_over > 0) {
     std::cout << passed_over << " crashed or hung and were not flown: see avoidbench run --rerun\n";
   }
+  if (recorded > 0) std::cout << recorded << " are real flights, which nothing can fly again\n";
   if (verified.with_copy > 0) {
     std::cerr << verified.with_copy
               << " of them with copies of planners that the run kept: their files are gone or "
                  "others now\n";
   }
-  if (sampled.empty() && passed_over == 0) {
+  if (sampled.empty() && passed_over + recorded == 0) {
     std::cerr << "the sample has no trial: make it larger\n";
   }
   if (verified.flown + verified.unflown < sampled.size()) {

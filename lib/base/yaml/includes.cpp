@@ -167,9 +167,13 @@ std::string flow_text(const YamlNode& node) {
 /// Adds a line and, from one column on where it fits, the place that it is from.
 void add_line(const std::string& content, const YamlNode& place, std::string& text) {
   constexpr std::size_t kCommentColumn = 44;
+  if (!place.source) {  // the program's own
+    text += content + "\n";
+    return;
+  }
   std::string padded = content;
   padded.resize(std::max(padded.size() + 2, kCommentColumn), ' ');
-  text += padded + "# " + (place.source ? *place.source : "");
+  text += padded + "# " + *place.source;
   if (place.line > 0) text += ":" + std::to_string(place.line);
   text += "\n";
 }

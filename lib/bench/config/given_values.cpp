@@ -1,5 +1,7 @@
 #include "config/given_values.hpp"
 
+#include "base/output_file.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -172,6 +174,18 @@ std::vector<Contradiction> problems_of(const TrialSpec& trial, IsGiven is_given)
 }
 
 }  // namespace
+
+void check_name(const GivenValue& root, const std::string& key, const std::string& name) {
+  const YamlNode* node = root.node.find(key);
+  if (node == nullptr) {
+    root.add_problem("lacks '" + key + "', the name of the result set");
+  } else if (node->kind == YamlNode::Kind::scalar && safe_file_name(name) != name) {
+    // The name becomes that of a file.
+    root.at(*node, key)
+        .add_problem(found_text(*node) +
+                     " is no name of A-Z a-z 0-9 _ . - that begins with a letter, digit or _");
+  }
+}
 
 bool fits_free_space(const TrialSpec& trial) {
   return has_room_above_floor(trial) && trial.mission.goal_radius_m <= trial.mission.free_radius_m;

@@ -11,6 +11,9 @@ namespace avoidbench {
 /// given: stored trials, and fields left at their defaults, may have them.
 void check_given_values(const YamlNode& root, const SweepSpec& sweep, Reading& reading);
 
+/// Adds a problem unless the key `key` is there and `name`, its value, can be a result set's.
+void check_name(const GivenValue& root, const std::string& key, const std::string& name);
+
 /// Whether the free space around starts and goals holds the goal and ends above the floor.
 bool fits_free_space(const TrialSpec& trial);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "config/flights_file.hpp"
 #include "config/sweep_keys.hpp"
 #include "plugin/planner_table.hpp"
 #include "yaml/yaml_values.hpp"
@@ -543,6 +544,32 @@ Schema sweep_schema(const std::vector<PlannerDescription>& planners, bool is_par
         planner_schema(*sweep.find("max_speed_mps"), planners, of_filters, of_whole);
   }
   return file_schema(name, sweep.doc, std::move(whole), of_whole, over, of_over);
+}
+
+Schema flights_schema(const std::vector<PlannerDescription>& planners) {
+  // The block `sweep` is what sweeps include: it need not be whole.
+  const Schema part = sweep_schema(planners, true);
+  SchemaWriter writer(false, false);
+  writer.definitions = part["$defs"];
+  Schema schema = writer.block(flights_tree().fields, "flights");
+  Schema& properties = schema["properties"];
+  properties["flights"] = {{"type", {"string", "number", "boolean"}},
+                           {"pattern", "^[A-Za-z0-9_][A-Za-z0-9_.-]{0,99}$"},
+                           {"description", flights_tree().find("flights")->doc}};
+  properties["include"] = other_schema(*sweep_tree().find("include"));
+  properties["sweep"] = reference("part_file");
+  properties["recordings"]["minItems"] = 1;
+  properties["recordings"]["items"]["required"] = {"log", "planner", "goal"};
+  Schema file{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+              {"$id", "urn:avoidbench:schema:flights"},
+              {"title", "avoidbench flights"},
+              {"description", flights_tree().doc}};
+  file.update(schema);
+  // An including file need not be whole.
+  file["if"] = {{"not", {{"required", {"include"}}}}};
+  file["then"]["required"] = {"flights", "sweep", "recordings"};
+  file["$defs"] = std::move(writer.definitions);
+  return file;
 }
 
 Schema vehicle_schema() { return shelf_schema(vehicle_tree()); }

@@ -16,6 +16,9 @@ namespace avoidbench {
 nlohmann::ordered_json sweep_schema(const std::vector<PlannerDescription>& planners,
                                     bool is_part = false);
 
+/// A file of real flights: `avoidbench import`. `planners` as those of sweep_schema().
+nlohmann::ordered_json flights_schema(const std::vector<PlannerDescription>& planners);
+
 /// A file of configs/vehicles or configs/sensors.
 nlohmann::ordered_json vehicle_schema();
 nlohmann::ordered_json sensor_schema();

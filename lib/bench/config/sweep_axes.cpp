@@ -31,7 +31,8 @@ std::string path_problem(const std::string& path, const FieldTree& trial, const 
   }
   if (first == "mission_index" || first == "trials")
     return "'trials' says how many missions there are";
-  if (first == "latency_digest" || first == "missions_digest") return "the program fills it";
+  if (first == "latency_digest" || first == "missions_digest" || first == "recording")
+    return "the program fills it";
   if (path == "mission.list" || path == "mission.file")
     return "all missions are flown for each setting";
   if (path.find('[') != std::string::npos)

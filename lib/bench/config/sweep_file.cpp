@@ -5,7 +5,6 @@
 #include <set>
 #include <tuple>
 
-#include "base/output_file.hpp"
 #include "base/words.hpp"
 #include "config/field_reader.hpp"
 #include "config/given_values.hpp"
@@ -44,18 +43,6 @@ nlohmann::json read_keys(MappingReader& mapping, bool with_own, Reading& reading
   }
   reading.lists_are_axes = false;
   return keys;
-}
-
-void check_name(const GivenValue& root, const std::string& name) {
-  const YamlNode* node = root.node.find("sweep");
-  if (node == nullptr) {
-    root.add_problem("lacks 'sweep', the name of the result set");
-  } else if (node->kind == YamlNode::Kind::scalar && safe_file_name(name) != name) {
-    // The name becomes that of a file.
-    root.at(*node, "sweep")
-        .add_problem(found_text(*node) +
-                     " is no name of A-Z a-z 0-9 _ . - that begins with a letter, digit or _");
-  }
 }
 
 StopRule stop_rule_from(const nlohmann::json& until, Reading& reading) {
@@ -169,7 +156,7 @@ SweepSpec sweep_of_document(const Document& document) {
   // The values of all fields as JSON, with every problem of theirs in `reading`.
   const nlohmann::json keys = read_keys(mapping, true, reading);
   SweepSpec sweep = sweep_from(keys);
-  check_name(root, sweep.name);
+  check_name(root, "sweep", sweep.name);
   sweep.until = stop_rule_from(keys.at("until"), reading);
   for (const auto& [path, values] : reading.axes) sweep.axes.push_back({trial_path(path), values});
   // What follows looks at the values together: only where each by itself is sound.

@@ -201,7 +201,8 @@ FieldTree make_sweep_tree() {
     return taken;
   };
   // The program fills these in.
-  for (const char* filled_in : {"mission_index", "planner", "latency_digest", "missions_digest"})
+  for (const char* filled_in :
+       {"mission_index", "planner", "latency_digest", "missions_digest", "recording"})
     take(filled_in);
   FieldTree name = take("sweep"), trials = take("trials"), maps = take("map");
   FieldTree seeds = take("map_seed"), missions = take("list"), mission_file = take("file");

@@ -215,7 +215,7 @@ std::string listing_query(const Database& db, const std::vector<std::string>& fi
   return "SELECT t.rowid, t.trial_key, p.label, m.generator, m.map_seed, "
          "t.mission_index, t.outcome, t.reason, t.end_time_s, i.start_x_m, i.start_y_m, "
          "i.start_z_m, i.goal_x_m, i.goal_y_m, i.goal_z_m, "
-         "t.map_key" +
+         "t.map_key, p.file_digest = ''" +
          field_columns(db, fields) +
          " FROM trials t JOIN planners p USING (planner_key) JOIN maps m ON m.map_key = t.map_key "
          "JOIN missions i ON i.map_key = t.map_key AND i.mission_index = t.mission_index JOIN runs "
@@ -225,7 +225,7 @@ std::string listing_query(const Database& db, const std::vector<std::string>& fi
 /// The rows of listing_query(). `axes`: what the file's sweeps vary.
 std::vector<TrialListing> listings(Statement& s, const std::vector<std::string>& fields,
                                    const std::vector<std::string>& axes) {
-  constexpr int kFirstField = 16;
+  constexpr int kFirstField = 17;
   s.rows_of("trials", 1);
   std::vector<TrialListing> trials;
   while (s.step()) {
@@ -240,7 +240,8 @@ std::vector<TrialListing> listings(Statement& s, const std::vector<std::string>&
                       .end_time_s = s.real(8),
                       .mission = {.start_world = {s.real(9), s.real(10), s.real(11)},
                                   .goal_world = {s.real(12), s.real(13), s.real(14)}},
-                      .map_key = s.text(15)});
+                      .map_key = s.text(15),
+                      .is_recorded = s.integer(16) != 0});
     TrialListing& trial = trials.back();
     for (std::size_t i = 0; i < fields.size(); ++i) {
       trial.fields.push_back(s.value(kFirstField + static_cast<int>(i)));

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "metrics/map_record.hpp"
@@ -113,10 +114,14 @@ struct TrialListing {
   double end_time_s = 0.0;  ///< NaN where not known
   Mission mission = {};
   std::string map_key = {};
+  bool is_recorded = false;  ///< flown in reality: nothing can fly it again
   std::vector<TableValue> fields = {};  ///< one an element of those that were asked for
   std::string setting =
       {};  ///< those of the fields that sweeps vary: "poisson_radius_m 3.5, ms 40"
 };
+
+/// Ends the labels of planners that flew in reality: their simulated twins have the rest.
+inline constexpr std::string_view kRealLabel = " (real)";
 
 /// What reports need of one trial.
 struct TrialSummary {

@@ -36,7 +36,7 @@ CREATE TABLE planners (
   label TEXT NOT NULL,            -- name in reports
   name TEXT NOT NULL,             -- as the planner calls itself
   version TEXT NOT NULL,
-  file_digest TEXT NOT NULL,      -- SHA-256 of the library
+  file_digest TEXT NOT NULL,      -- SHA-256 of the library; '' of real flights (`avoidbench import`)
   parameters_json TEXT NOT NULL,
   is_privileged INTEGER NOT NULL CHECK (is_privileged IN (0, 1))  -- 1: it sees the world itself
 ) STRICT, WITHOUT ROWID;

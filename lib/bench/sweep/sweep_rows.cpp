@@ -65,7 +65,8 @@ nlohmann::json base_json(const SweepSpec& sweep, const std::vector<PlannedTrial>
     return axis.path.starts_with("latency.");
   });
   nlohmann::json base = spec_to_json(is_swept ? sweep.base : without_unused_latency(sweep.base));
-  base.erase("planner");  // the planners stand beside it
+  base.erase("planner");    // the planners stand beside it
+  base.erase("recording");  // so do those
   forget_folders(base);
   base["latency"]["database"] = file_name(base["latency"]["database"]);
   base["latency_digest"] = replayed_digest(trials);
@@ -101,6 +102,7 @@ std::string trial_json(const TrialSpec& spec) {
   nlohmann::json canonical = spec_to_json(without_unused_latency(spec));
   forget_plugin_files(canonical["planner"]);
   forget_folders(canonical);
+  if (!spec.recording) canonical.erase("recording");  // as filters, above
   return canonical.dump();
 }
 

@@ -87,6 +87,28 @@ std::string track_perfectly(const FlownTrial& flown, ChangedTrial& trial) {
   return has_rates ? "body rates are no reference that could be tracked" : "";
 }
 
+/// Calls that take half as long: where latency is measured, that acts sooner; where a clock that
+/// goes on by looks is the budget of computing, twice as many looks fit in it.
+std::string double_compute(const FlownTrial& flown, ChangedTrial& trial) {
+  constexpr double kLeastScale = 0.001;  // of the field
+  bool is_changed = false;
+  LatencySpec& latency = trial.spec.latency;
+  if (latency.mode == LatencyMode::measured && latency.scale > kLeastScale) {
+    latency.scale = std::max(0.5 * latency.scale, kLeastScale);
+    is_changed = true;
+  }
+  for (ParameterChoice& choice : trial.spec.planner.parameters) {
+    if (choice.name != "compute_clock_us") continue;
+    for (const ParameterDef& def : flown.planner.parameters) {
+      if (def.name != choice.name) continue;
+      const double halved = std::max(0.5 * choice.number, def.lowest);
+      is_changed = is_changed || halved < choice.number;
+      choice.number = halved;
+    }
+  }
+  return is_changed ? "" : "neither is its latency measured, nor has it a clock as its budget";
+}
+
 /// Whether the parameter says how fast the planner is to fly.
 bool is_speed(const ParameterDef& parameter) {
   return parameter.kind == AB_NUMBER && parameter.unit == "m/s" &&
@@ -171,6 +193,9 @@ constexpr Change kChanges[] = {
     {"perfect_tracking", "with perfect tracking",
      "The vehicle is exactly where its reference is; not for planners that command body rates",
      track_perfectly},
+    {"twice_compute", "with twice the compute",
+     "Measured latencies are half as long; a planner's compute_clock_us is half of what it was",
+     double_compute},
     {"slower", "at half the speed",
      "Half the speed limit, half of the planner's own parameters of speed, twice the time limit",
      fly_slower},

@@ -79,6 +79,7 @@ std::vector<TrialListing> chosen_for(const Database& database, const WhatIfReque
     return std::tie(a.planner_label, a.key) < std::tie(b.planner_label, b.key);
   });
   if (!request.trial.empty()) return all;
+  std::erase_if(all, [](const TrialListing& trial) { return trial.is_recorded; });
   const auto failed = [](const TrialListing& trial) {
     return trial.outcome != Outcome::reached_goal;
   };

@@ -83,7 +83,9 @@ double quantile(const std::vector<double>& sorted, double share) {
   return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
 }
 
+/// NaN where a real flight's calls were not logged.
 double count_calls(In in, bool (*matches)(const PlanCall&, const TrialSpec&)) {
+  if (in.spec.recording && in.record.plan_calls.empty()) return kNaN;
   return static_cast<double>(
       std::count_if(in.record.plan_calls.begin(), in.record.plan_calls.end(),
                     [&](const PlanCall& call) { return matches(call, in.spec); }));
@@ -208,7 +210,7 @@ constexpr MetricDef kTable[] = {
      "integral of the rotors' drag torque * speed", "", kLess, kAll, false,
      [](In in) { return rotor_energy_j(in.record.samples); }},
     {"plan_call_count", 1, "", "Calls of the planner", "count", "", kNeither, kAll, false,
-     [](In in) { return static_cast<double>(in.record.plan_calls.size()); }},
+     [](In in) { return count_calls(in, [](const PlanCall&, const TrialSpec&) { return true; }); }},
     {"no_plan_count", 1, "", "Plan calls that gave no command", "count of AB_NO_PLAN", "", kLess,
      kAll, false,
      [](In in) {

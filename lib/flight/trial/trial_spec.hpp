@@ -15,6 +15,7 @@
 #include "sensing/odometry.hpp"
 #include "sensing/sensor_spec.hpp"
 #include "sensing/tracks.hpp"
+#include "trial/recording_spec.hpp"
 #include "vehicle/vehicle_spec.hpp"
 #include "wind/wind_spec.hpp"
 
@@ -224,6 +225,8 @@ struct TrialSpec {
   WindSpec wind;
   MoversSpec movers;
   TracksSpec tracks;
+  /// Of a trial that was flown in reality; nothing can fly it again.
+  std::optional<RecordingSpec> recording = {};
 };
 
 template <class Visitor, ConstOr<TrialSpec> Spec>
@@ -247,6 +250,7 @@ void visit(Visitor& v, Spec& s) {
   v.field("movers", s.movers, "Things that move through the map; see docs/movers.md.");
   v.field("tracks", s.tracks,
           "Tracks of things that move, for planners that declare them; true by default.");
+  v.field("recording", s.recording, "Of a trial that was flown in reality: its log.");
 }
 
 }  // namespace avoidbench
