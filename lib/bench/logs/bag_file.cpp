@@ -95,7 +95,8 @@ class BagReader {
         read_record(in_, record);
       }
     }
-    if (index_position_ != 0) in_.ended();
+    if (in_.position() < index_position_) in_.ended();
+    if (index_position_ != 0) return;
     flight_.warn(in_.file().string() +
                  " was never closed, as after a crash: the flight's last seconds may be missing");
   }

@@ -71,12 +71,12 @@ std::optional<std::string> ByteReader::line(std::size_t most_bytes) {
   while (!at_end()) {
     const std::string_view held(buffer_.data() + begin_, end_ - begin_);
     const std::size_t end = held.find('\n');
-    text += held.substr(0, end);
+    const std::string_view taken = held.substr(0, end == held.npos ? end : end + 1);
+    text += taken;
     if (text.size() > most_bytes) damaged(start, "a line without end");
-    skip(std::min(held.size(), end == held.npos ? end : end + 1));
-    if (end != held.npos) break;
+    skip(taken.size());
+    if (text.ends_with('\n')) break;
   }
-  if (!text.empty() && text.back() == '\r') text.pop_back();
   return text;
 }
 

@@ -69,8 +69,8 @@ class ByteReader {
   /// The caller has bounded `size`.
   std::string text(std::size_t size);
   void skip(std::uint64_t count);
-  /// A line without its end, \n or \r\n; nothing at the end of the file. A line of more than
-  /// `most_bytes` is damage.
+  /// A line with its end, which only the last may lack; nothing at the end of the file. A line of
+  /// more than `most_bytes` is damage.
   std::optional<std::string> line(std::size_t most_bytes);
 
   /// Throws InputError: what is wrong at a position.

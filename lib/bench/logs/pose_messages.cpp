@@ -74,7 +74,7 @@ LoggedPose read_px4_odometry(MessageReader& message) {
   pose.time_ns = read_px4_time(message);
   const auto frame = message.number<std::uint8_t>();
   pose.position = read_float_vector(message);
-  const auto w = double{message.number<float>()};
+  const auto w = static_cast<double>(message.number<float>());
   const Eigen::Vector3d v = read_float_vector(message);
   pose.q = {w, v.x(), v.y(), v.z()};
   const auto velocity_frame = message.number<std::uint8_t>();

@@ -32,12 +32,11 @@ constexpr std::string_view kFormats =
     "recorded flights are ROS 1 bags, rosbag2 (SQLite or MCAP), ULog, and text in the formats of "
     "TUM and EuRoC";
 
-[[noreturn]] void refuse_other_file(const ByteReader& in, std::string_view start) {
+void check_is_no_other_file(const ByteReader& in, std::string_view start) {
   if (start.empty()) refuse_file(in.file(), "an empty file");
   for (const auto& [bytes, meaning] : kOtherFiles) {
     if (start.starts_with(bytes)) refuse_file(in.file(), std::string(meaning));
   }
-  refuse_file(in.file(), "no recorded flight: " + std::string(kFormats));
 }
 
 bool is_text(std::string_view start) {
@@ -89,6 +88,7 @@ std::vector<fs::path> files_of_folder(const fs::path& folder) {
 
 void read_log(ByteReader& in, FlightBuilder& flight) {
   const std::string start(in.peek(ByteReader::kMostPeeked));
+  check_is_no_other_file(in, start);
   try {
     if (start.starts_with(kBagMagic)) {
       read_bag(in, flight);
@@ -96,10 +96,10 @@ void read_log(ByteReader& in, FlightBuilder& flight) {
       read_mcap(in, flight);
     } else if (start.starts_with(kUlogMagic)) {
       read_ulog(in, flight);
-    } else if (!start.empty() && is_text(start) && !start.starts_with("#ROSBAG")) {
+    } else if (is_text(start)) {
       read_text_path(in, flight);
     } else {
-      refuse_other_file(in, start);
+      refuse_file(in.file(), "no recorded flight: " + std::string(kFormats));
     }
   } catch (const CutOff& cut) {
     flight.warn(in.file().string() + " is cut off at byte " + std::to_string(cut.position) +

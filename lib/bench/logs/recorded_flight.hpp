@@ -36,11 +36,11 @@ struct RecordedFlight {
 struct RecordedFlightChoice {
   /// A file, or the folder of a rosbag2 with its metadata.yaml. What kind it is follows from its
   /// content, not its name.
-  std::string file;
+  std::string file{};
   /// "": the only one that can be read; of a ULog vehicle_local_position with vehicle_attitude,
   /// PX4's estimate as its own controllers use it, and vehicle_odometry where that is not there.
-  std::string topic;
-  std::string child_frame;  ///< of transforms; "": the only one
+  std::string topic{};
+  std::string child_frame{};  ///< of transforms; "": the only one
 };
 
 /// Reads the poses of one vehicle:
