@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
-# fuzz.sh [SECONDS [TARGET…]]: builds the fuzz targets (point_cloud, mesh, sweep, database, database_edits) with address
-# and undefined-behaviour sanitizers (build/fuzz) and feeds each for SECONDS (default 60), one after the other. What
-# they find interesting stays in build/fuzz/corpus, a finding in build/fuzz/findings.
+# fuzz.sh [SECONDS [TARGET…]]: builds the fuzz targets (point_cloud, mesh, sweep, log, database, database_edits) with
+# address and undefined-behaviour sanitizers (build/fuzz) and feeds each for SECONDS (default 60), one after the other.
+# What they find interesting stays in build/fuzz/corpus, a finding in build/fuzz/findings.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 seconds=${1:-60}
 shift || true
 targets=("$@")
-[ ${#targets[@]} -gt 0 ] || targets=(point_cloud mesh sweep database database_edits)
+[ ${#targets[@]} -gt 0 ] || targets=(point_cloud mesh sweep log database database_edits)
 cmake --preset fuzz -DAVOIDBENCH_UNITY=ON -DAVOIDBENCH_TESTS=ON -DAVOIDBENCH_BENCH=OFF >/dev/null
 cmake --build build/fuzz --parallel "${JOBS:-$(nproc)}" --target fuzz_seeds "${targets[@]/%/_fuzz}"
 build/fuzz/tests/fuzz/fuzz_seeds build/fuzz/corpus

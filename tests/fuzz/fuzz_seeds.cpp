@@ -1,6 +1,7 @@
 // fuzz_seeds FOLDER: writes the first inputs of the fuzz targets: FOLDER/point_cloud and
 // FOLDER/mesh, each kind of file as the tests write them; FOLDER/database, a small real one;
-// FOLDER/database_edits, an edit of each kind; FOLDER/sweep, sweeps with every block.
+// FOLDER/database_edits, an edit of each kind; FOLDER/log, each kind of recorded flight;
+// FOLDER/sweep, sweeps with every block.
 #include <array>
 #include <cstdio>
 #include <filesystem>
@@ -8,6 +9,7 @@
 #include <iterator>
 
 #include "fuzz/read_database.hpp"
+#include "support/log_files.hpp"
 #include "support/map_files.hpp"
 #include "support/sweeps_of_all_blocks.hpp"
 #include "world/solids.hpp"
@@ -51,6 +53,11 @@ int main(int argc, char** argv) {
   for (const std::string& text : test::sweeps_of_all_blocks()) {
     write(sweeps / ("sweep" + std::to_string(count++) + ".yaml"), text);
   }
+  const fs::path logs = fs::path(argv[1]) / "log";
+  fs::create_directories(logs);
+  for (const auto& [name, bytes] : test::all_logs()) write(logs / name, bytes);
+  fs::remove(logs / "log.db3");
+  test::write_sample_db3(logs / "log.db3");
   const fs::path databases = fs::path(argv[1]) / "database";
   const fs::path edits = fs::path(argv[1]) / "database_edits";
   fs::create_directories(databases);

@@ -24,7 +24,7 @@ RecordedMotion straight_motion(double duration_s, bool has_attitude = true) {
 
 TrialSpec spec_of(GivenOutcome outcome) {
   TrialSpec spec;
-  spec.recording = RecordingSpec{.outcome = outcome};
+  spec.recording.emplace().outcome = outcome;
   return spec;
 }
 
