@@ -159,8 +159,8 @@ StoredTrial with_files(StoredTrial stored, const ReplayFiles& files) {
 FoundPlanner planner_for(const PlannerChoice& choice, const ReplayFiles& files) {
   if (choice.file_digest.empty()) {
     throw InputError("the trial of " + choice.label +
-                     " is a real flight: nothing can fly it again; its twin can be flown (avoidbench "
-                     "import --twin)");
+                     " is a real flight: nothing can fly it again; its twin in simulation can be "
+                     "flown (docs/real_flights.md)");
   }
   // Started as a file of its kind is: no word of the database's is.
   if (!files.planner.empty()) return {.source = find_planner(files.planner, ".")};
