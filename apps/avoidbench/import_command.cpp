@@ -27,20 +27,19 @@ struct ImportCommand {
 
 /// A row a flight.
 Table flights_table(const ImportedFlights& imported) {
-  Table table = make_table(
-      "flights", "Real flights",
-      {planner_column(),
-       {.name = "mission_index", .header = "mission", .place = Place::key},
-       {.name = "outcome"},
-       {.name = "end_time_s", .header = "T, s"},
-       {.name = "reference_length_m", .header = "d_min, m", .doc = "shortest path"},
-       {.name = "path_length_m", .header = "L, m", .doc = "flown path"},
-       {.name = "min_clearance_m", .header = "clearance, m", .doc = "least"},
-       {.name = "rate_hz", .header = "poses, Hz"},
-       {.name = "residual_m",
-        .header = "residual, m",
-        .doc = "of the poses to the smoothed path, RMS per axis"},
-       {.name = "reason"}});
+  Table table =
+      make_table("flights", "Real flights",
+                 {planner_column(),
+                  {.name = "mission_index", .header = "mission", .place = Place::key},
+                  {.name = "outcome"},
+                  {.name = "end_time_s", .header = "T, s"},
+                  {.name = "reference_length_m", .header = "d_min, m", .doc = "shortest path"},
+                  {.name = "path_length_m", .header = "L, m", .doc = "flown path"},
+                  {.name = "min_clearance_m", .header = "clearance, m", .doc = "least"},
+                  {.name = "rate_hz", .header = "poses, Hz"},
+                  {.name = "residual_m",
+                   .header = "residual, m",
+                   .doc = "of the poses to the smoothed path, RMS per axis"}});
   const auto metric = [](const ImportedFlight& flight, std::string_view name) {
     const std::span<const MetricDef> all = metric_table();
     for (std::size_t m = 0; m < all.size(); ++m) {
@@ -52,9 +51,10 @@ Table flights_table(const ImportedFlights& imported) {
     table.rows.push_back(make_row(
         flight.row.planner_label, flight.row.mission_index,
         std::string(text(flight.row.record.outcome)), fixed_digits(flight.row.record.end_time_s, 2),
-        fixed_digits(flight.reference_length_m, 2), fixed_digits(metric(flight, "path_length_m"), 2),
+        fixed_digits(flight.reference_length_m, 2),
+        fixed_digits(metric(flight, "path_length_m"), 2),
         fixed_digits(metric(flight, "min_clearance_m"), 2), fixed_digits(flight.rate_hz, 1),
-        significant_digits(flight.residual_m, 2), flight.row.record.reason));
+        significant_digits(flight.residual_m, 2)));
   }
   return table;
 }
@@ -87,7 +87,8 @@ void import(const ImportCommand& command) {
   const std::string path =
       command.database.empty() ? "results/" + file.name + ".db" : command.database;
   const ImportedFlights imported = import_flights(file);
-  for (const std::string& warning : file.place.warnings) std::cerr << "warning: " << warning << '\n';
+  for (const std::string& warning : file.place.warnings)
+    std::cerr << "warning: " << warning << '\n';
   for (const std::string& warning : imported.warnings) std::cerr << "warning: " << warning << '\n';
   if (!command.twin.empty()) {
     const Document twin = twin_document(file, imported.missions);
@@ -105,6 +106,12 @@ void import(const ImportCommand& command) {
   const std::size_t added = store_flights(imported, run, command.beside, database);
   database.close();
   write_table(flights_table(imported), command.output);
+  for (const ImportedFlight& flight : imported.flights) {
+    const TrialRecord& record = flight.row.record;
+    if (record.outcome == Outcome::reached_goal) continue;
+    std::cerr << "flight " << flight.row.mission_index << ": " << text(record.outcome) << ": "
+              << record.reason << '\n';
+  }
   if (!file.alignment.points.empty()) {
     std::cerr << "alignment: " << significant_digits(imported.alignment_residual_m, 3)
               << " m from the map's points (RMS)\n";

@@ -12,9 +12,8 @@ const InputProblem kPlace{.file = "flights.yaml", .line = 7, .column = 1, .messa
 
 AlignmentSpec of_points(const Pose& T_map_log, double off_m = 0.0) {
   AlignmentSpec spec;
-  for (const Eigen::Vector3d& log :
-       {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(10, 0, 1), Eigen::Vector3d(3, 8, 0),
-        Eigen::Vector3d(-4, 5, 2)}) {
+  for (const Eigen::Vector3d& log : {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(10, 0, 1),
+                                     Eigen::Vector3d(3, 8, 0), Eigen::Vector3d(-4, 5, 2)}) {
     spec.points.push_back({to_array(log), to_array(T_map_log * log)});
   }
   spec.points.front().map[0] += off_m;

@@ -1,13 +1,18 @@
 """Writes trajectories as logs of real vehicles, by PyPI's rosbags: independent of this program's readers."""
 
 import csv
+import sys
 from pathlib import Path
 
-import numpy as np
-from rosbags.rosbag1 import Writer as Bag1
-from rosbags.rosbag2 import StoragePlugin
-from rosbags.rosbag2 import Writer as Bag2
-from rosbags.typesys import Stores, get_typestore
+try:
+    import numpy as np
+    from rosbags.rosbag1 import Writer as Bag1
+    from rosbags.rosbag2 import StoragePlugin
+    from rosbags.rosbag2 import Writer as Bag2
+    from rosbags.typesys import Stores, get_typestore
+except ImportError as error:
+    print(f"skipped: {error}; scripts/python_venv.sh installs what is missing")
+    sys.exit(77)
 
 EPOCH_NS = 1_700_000_000_000_000_000
 

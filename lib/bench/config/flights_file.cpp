@@ -168,7 +168,7 @@ FlightsFile read_flights(const fs::path& file, const std::vector<std::string>& o
                               error.problems().end());
     }
   }
-  if (!reading.problems.empty()) throw InputError(std::move(reading.problems));
+  if (!reading.problems.empty()) throw_problems(std::move(reading.problems), file.string());
   read.name = std::move(spec.name);
   read.alignment = std::move(spec.alignment);
   read.smoothing = spec.smoothing;

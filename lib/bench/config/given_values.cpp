@@ -1,11 +1,12 @@
 #include "config/given_values.hpp"
 
-#include "base/output_file.hpp"
-
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
+#include <tuple>
 
+#include "base/output_file.hpp"
 #include "base/words.hpp"
 #include "config/field_reader.hpp"
 #include "config/sweep_axes.hpp"
@@ -174,6 +175,23 @@ std::vector<Contradiction> problems_of(const TrialSpec& trial, IsGiven is_given)
 }
 
 }  // namespace
+
+void throw_problems(std::vector<InputProblem> problems, const std::string& main_file) {
+  // Other files follow in the order of their first problem; the command line comes last.
+  std::map<std::string, std::size_t> file_order{{main_file, 0}};
+  for (const InputProblem& problem : problems) {
+    const bool is_file = problem.line > 0;  // or an option of the command line
+    file_order.emplace(problem.file, is_file ? file_order.size() : problems.size() + 1);
+  }
+  const auto key = [&](const InputProblem& problem) {
+    return std::tuple(file_order.at(problem.file), problem.line, problem.column);
+  };
+  std::stable_sort(problems.begin(), problems.end(),
+                   [&](const auto& a, const auto& b) { return key(a) < key(b); });
+  std::set<std::string> seen;
+  std::erase_if(problems, [&](const auto& problem) { return !seen.insert(text(problem)).second; });
+  throw InputError(std::move(problems));
+}
 
 void check_name(const GivenValue& root, const std::string& key, const std::string& name) {
   const YamlNode* node = root.node.find(key);

@@ -11,6 +11,10 @@ namespace avoidbench {
 /// given: stored trials, and fields left at their defaults, may have them.
 void check_given_values(const YamlNode& root, const SweepSpec& sweep, Reading& reading);
 
+/// Throws them as an InputError, each once: in the order of the main file, then those of other
+/// files, one after the other, then those of the command line.
+[[noreturn]] void throw_problems(std::vector<InputProblem> problems, const std::string& main_file);
+
 /// Adds a problem unless the key `key` is there and `name`, its value, can be a result set's.
 void check_name(const GivenValue& root, const std::string& key, const std::string& name);
 

@@ -1,9 +1,6 @@
 #include "config/sweep_file.hpp"
 
 #include <algorithm>
-#include <map>
-#include <set>
-#include <tuple>
 
 #include "base/words.hpp"
 #include "config/field_reader.hpp"
@@ -91,24 +88,6 @@ void check_size(const GivenValue& root, const SweepSpec& sweep) {
                    number_text(kMostTrials));
 }
 
-/// In the order of the file, then those of other files, one after the other; each once.
-[[noreturn]] void fail(std::vector<InputProblem> problems, const std::string& main_file) {
-  // Other files follow in the order of their first problem; the command line comes last.
-  std::map<std::string, std::size_t> file_order{{main_file, 0}};
-  for (const InputProblem& problem : problems) {
-    const bool is_file = problem.line > 0;  // or an option of the command line
-    file_order.emplace(problem.file, is_file ? file_order.size() : problems.size() + 1);
-  }
-  const auto key = [&](const InputProblem& problem) {
-    return std::tuple(file_order.at(problem.file), problem.line, problem.column);
-  };
-  std::stable_sort(problems.begin(), problems.end(),
-                   [&](const auto& a, const auto& b) { return key(a) < key(b); });
-  std::set<std::string> seen;
-  std::erase_if(problems, [&](const auto& problem) { return !seen.insert(text(problem)).second; });
-  throw InputError(std::move(problems));
-}
-
 /// The file of a map or sweep, or that of the built-in sweep of this name.
 fs::path map_or_sweep_file(const std::string& given, const std::vector<std::string>& generators) {
   std::error_code error;
@@ -152,7 +131,7 @@ SweepSpec sweep_of_document(const Document& document) {
   if (document.file.has_parent_path()) reading.folder = document.file.parent_path();
   const GivenValue root{document.root, "", reading};
   MappingReader mapping(root);
-  if (!reading.problems.empty()) fail(reading.problems, document.file.string());
+  if (!reading.problems.empty()) throw_problems(reading.problems, document.file.string());
   // The values of all fields as JSON, with every problem of theirs in `reading`.
   const nlohmann::json keys = read_keys(mapping, true, reading);
   SweepSpec sweep = sweep_from(keys);
@@ -183,7 +162,7 @@ SweepSpec sweep_of_document(const Document& document) {
     settle_missions(root.node, sweep, reading);
   }
   check_size(root, sweep);
-  if (!reading.problems.empty()) fail(reading.problems, document.file.string());
+  if (!reading.problems.empty()) throw_problems(reading.problems, document.file.string());
   return sweep;
 }
 
@@ -226,7 +205,7 @@ MapChoice map_of_document(const Document& document, const std::vector<std::strin
   round_rates(reading, sweep);
   mapping.finish();
   if (reading.problems.empty()) add_contradictions(sweep, reading);
-  if (!reading.problems.empty()) fail(reading.problems, document.file.string());
+  if (!reading.problems.empty()) throw_problems(reading.problems, document.file.string());
   return {std::move(sweep.base), std::move(sweep.missions), std::move(sweep.warnings)};
 }
 

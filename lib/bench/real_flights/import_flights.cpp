@@ -8,10 +8,10 @@
 
 #include "base/digest.hpp"
 #include "base/math.hpp"
-#include "base/option_error.hpp"
-#include "base/words.hpp"
 #include "base/number_text.hpp"
+#include "base/option_error.hpp"
 #include "base/spec_json.hpp"
+#include "base/words.hpp"
 #include "logs/recorded_flight.hpp"
 #include "metrics/metric_table.hpp"
 #include "real_flights/alignment.hpp"
@@ -139,10 +139,9 @@ TwinMission mission_of(const ReadRealFlight& flight, const RecordedMotion& motio
                        "or start is wrong"));
     }
   }
-  const double yaw_rad =
-      motion.attitudes.empty()
-          ? yaw_toward_goal_rad(to_eigen(mission.start_m), to_eigen(mission.goal_m))
-          : yaw_of(motion.attitudes.front().q_world_body);
+  const double yaw_rad = motion.attitudes.empty() ? yaw_toward_goal_rad(to_eigen(mission.start_m),
+                                                                        to_eigen(mission.goal_m))
+                                                  : yaw_of(motion.attitudes.front().q_world_body);
   // As the twin's file will say it, so that both have the same bits.
   mission.yaw_deg = *number_from<double>(fixed_digits(yaw_rad / math::kDegree, 2));
   return mission;
@@ -169,9 +168,8 @@ SweepSpec sweep_of(const FlightsFile& file, const std::vector<TwinMission>& miss
   sweep.base = file.place.trial;
   sweep.trials = static_cast<std::int64_t>(missions.size());
   for (std::size_t k = 0; k < missions.size(); ++k) {
-    sweep.missions.push_back({.map = "",
-                              .mission = flown(missions[k]),
-                              .place = file.flights[k].problem("goal", "")});
+    sweep.missions.push_back(
+        {.map = "", .mission = flown(missions[k]), .place = file.flights[k].problem("goal", "")});
   }
   std::set<std::string> labels;
   for (const ReadRealFlight& flight : file.flights) {
@@ -375,9 +373,9 @@ std::vector<std::string> lacking_metrics(const ImportedFlights& imported) {
   std::vector<std::string> names;
   const std::span<const MetricDef> table = metric_table();
   for (std::size_t m = 0; m < table.size(); ++m) {
-    const bool is_there =
-        std::any_of(imported.flights.begin(), imported.flights.end(),
-                    [&](const ImportedFlight& flight) { return !std::isnan(flight.row.metrics[m]); });
+    const bool is_there = std::any_of(
+        imported.flights.begin(), imported.flights.end(),
+        [&](const ImportedFlight& flight) { return !std::isnan(flight.row.metrics[m]); });
     const bool has_speakers =
         std::any_of(imported.flights.begin(), imported.flights.end(), [&](const auto& flight) {
           return table[m].population == Population::all ||

@@ -23,8 +23,8 @@ struct ImportedFlights {
   SweepRow sweep;
   MapRow map;
   std::vector<PlannerRow> planners;
-  std::vector<ImportedFlight> flights;   ///< mission k is flight k
-  std::vector<TwinMission> missions;     ///< one a flight
+  std::vector<ImportedFlight> flights;  ///< mission k is flight k
+  std::vector<TwinMission> missions;    ///< one a flight
   double alignment_residual_m = 0.0;
   std::vector<std::string> warnings;
 };

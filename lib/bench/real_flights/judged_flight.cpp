@@ -17,8 +17,7 @@ constexpr double kLeastHeadingSpeed_mps = 0.3;
 
 /// The attitude under which thrust gives this acceleration, with the heading of the velocity.
 Eigen::Quaterniond attitude_of(const PathState& state, double gravity_mps2, double yaw_rad) {
-  const Eigen::Vector3d thrust =
-      state.acceleration_world + Eigen::Vector3d(0.0, 0.0, gravity_mps2);
+  const Eigen::Vector3d thrust = state.acceleration_world + Eigen::Vector3d(0.0, 0.0, gravity_mps2);
   if (thrust.norm() < 0.1 * gravity_mps2) return yaw_rotation(yaw_rad);
   const Eigen::Quaterniond tilt =
       Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), thrust);
@@ -121,7 +120,8 @@ std::string contradiction(const TrialSpec& spec, std::optional<Outcome> found,
   const bool has_reached = found == Outcome::reached_goal;
   if (given == GivenOutcome::reached_goal && !has_reached) {
     return "is given as reached_goal, but its path comes no nearer to the goal than " +
-           fixed_digits(nearest_m, 2) + " m within mission.time_limit_s (mission.goal_radius_m is " +
+           fixed_digits(nearest_m, 2) +
+           " m within mission.time_limit_s (mission.goal_radius_m is " +
            significant_digits(spec.mission.goal_radius_m, 4) + ")";
   }
   if (given != GivenOutcome::reached_goal && has_reached) {
@@ -176,7 +176,8 @@ JudgedFlight judge(const TrialSpec& spec, const Mission& mission, const Scene& s
   const GivenOutcome given = spec.recording->outcome;
   if (given != GivenOutcome::judged && given != GivenOutcome::reached_goal) {
     record.outcome = outcome_of(given);
-    record.reason = "given; the log ends " + fixed_digits(nearest_m, 2) + " m from the goal at best";
+    record.reason =
+        "given; the log ends " + fixed_digits(nearest_m, 2) + " m from the goal at best";
     if (given == GivenOutcome::collided) {
       record.collisions.push_back({.time_s = record.end_time_s,
                                    .speed_mps = record.samples.back().velocity_world.norm(),

@@ -40,8 +40,7 @@ void update(Filtered& now, const Eigen::Vector3d& position, double variance) {
   // Joseph's form stays symmetric and positive.
   Matrix3d rest = Matrix3d::Identity();
   rest.col(0) -= gain;
-  now.covariance =
-      rest * now.covariance * rest.transpose() + variance * gain * gain.transpose();
+  now.covariance = rest * now.covariance * rest.transpose() + variance * gain * gain.transpose();
 }
 
 /// The quintic from one knot to the next that has their positions, velocities and accelerations:
@@ -60,9 +59,10 @@ PathState between(const PathState& a, const PathState& b, double time_s) {
   state.position_world =
       a.position_world +
       u * (a.velocity_world + u * (0.5 * a.acceleration_world + u * (c3 + u * (c4 + u * c5))));
-  state.velocity_world =
-      a.velocity_world + u * (a.acceleration_world + u * (3.0 * c3 + u * (4.0 * c4 + u * 5.0 * c5)));
-  state.acceleration_world = a.acceleration_world + u * (6.0 * c3 + u * (12.0 * c4 + u * 20.0 * c5));
+  state.velocity_world = a.velocity_world + u * (a.acceleration_world +
+                                                 u * (3.0 * c3 + u * (4.0 * c4 + u * 5.0 * c5)));
+  state.acceleration_world =
+      a.acceleration_world + u * (6.0 * c3 + u * (12.0 * c4 + u * 20.0 * c5));
   return state;
 }
 
@@ -70,8 +70,8 @@ PathState between(const PathState& a, const PathState& b, double time_s) {
 PathState beyond(const PathState& knot, double time_s) {
   const double u = time_s - knot.time_s;
   return {.time_s = time_s,
-          .position_world = knot.position_world + u * knot.velocity_world +
-                            0.5 * u * u * knot.acceleration_world,
+          .position_world =
+              knot.position_world + u * knot.velocity_world + 0.5 * u * u * knot.acceleration_world,
           .velocity_world = knot.velocity_world + u * knot.acceleration_world,
           .acceleration_world = knot.acceleration_world};
 }
@@ -90,9 +90,9 @@ SmoothPath::SmoothPath(const std::vector<MeasuredPosition>& measured,
   std::vector<Filtered> filtered(measured.size());
   Filtered now;
   now.state << measured.front().position_world.transpose(), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0;
-  now.covariance = Eigen::Vector3d(variance, kSpeed_mps * kSpeed_mps,
-                                   kAcceleration_mps2 * kAcceleration_mps2)
-                       .asDiagonal();
+  now.covariance =
+      Eigen::Vector3d(variance, kSpeed_mps * kSpeed_mps, kAcceleration_mps2 * kAcceleration_mps2)
+          .asDiagonal();
   filtered.front() = now;
   for (std::size_t i = 1; i < measured.size(); ++i) {
     const double dt = measured[i].time_s - measured[i - 1].time_s;
@@ -129,9 +129,9 @@ SmoothPath::SmoothPath(const std::vector<MeasuredPosition>& measured,
 PathState SmoothPath::at(double time_s) const {
   if (time_s <= knots_.front().time_s) return beyond(knots_.front(), time_s);
   if (time_s >= knots_.back().time_s) return beyond(knots_.back(), time_s);
-  const auto next = std::upper_bound(
-      knots_.begin(), knots_.end(), time_s,
-      [](double time, const PathState& knot) { return time < knot.time_s; });
+  const auto next =
+      std::upper_bound(knots_.begin(), knots_.end(), time_s,
+                       [](double time, const PathState& knot) { return time < knot.time_s; });
   return between(*(next - 1), *next, time_s);
 }
 

@@ -14,26 +14,25 @@ enum class GivenOutcome { judged, reached_goal, collided, left_bounds, timed_out
 template <>
 struct EnumText<GivenOutcome> {
   static constexpr std::pair<GivenOutcome, std::string_view> entries[] = {
-      {GivenOutcome::judged, "judged"},
-      {GivenOutcome::reached_goal, "reached_goal"},
-      {GivenOutcome::collided, "collided"},
-      {GivenOutcome::left_bounds, "left_bounds"},
-      {GivenOutcome::timed_out, "timed_out"},
-      {GivenOutcome::planner_gave_up, "planner_gave_up"}};
+      {GivenOutcome::judged, "judged"},       {GivenOutcome::reached_goal, "reached_goal"},
+      {GivenOutcome::collided, "collided"},   {GivenOutcome::left_bounds, "left_bounds"},
+      {GivenOutcome::timed_out, "timed_out"}, {GivenOutcome::planner_gave_up, "planner_gave_up"}};
 };
 
-/// How positions of a log become a path with velocity and acceleration: real_flights/smooth_path.hpp.
+/// How positions of a log become a path with velocity and acceleration:
+/// real_flights/smooth_path.hpp.
 struct SmoothingSpec {
   double position_noise_m = 0.01;
-  double jerk_mps3 = 30.0;
+  double jerk_mps3 = 15.0;
 };
 
 template <class Visitor, ConstOr<SmoothingSpec> Spec>
 void visit(Visitor& v, Spec& s) {
   v.field("position_noise_m", s.position_noise_m, Range{1e-4, 1},
           "Standard deviation of a logged position along each axis.");
-  v.field("jerk_mps3", s.jerk_mps3, Range{1, 1000},
-          "Jerk that the vehicle is expected to keep up for a tenth of a second: less is smoother.");
+  v.field(
+      "jerk_mps3", s.jerk_mps3, Range{1, 1000},
+      "Jerk that the vehicle is expected to keep up for a tenth of a second: less is smoother.");
 }
 
 /// Where a trial that was flown in reality comes from. With the map and the mission it determines
@@ -43,7 +42,7 @@ struct RecordingSpec {
   std::string log_digest;  ///< SHA-256 of the file
   std::string topic, child_frame;
   double begin_s = 0.0, end_s = 0.0;
-  std::array<double, 3> translation_m{0.0, 0.0, 0.0};  ///< of the log's frame in the map's
+  std::array<double, 3> translation_m{0.0, 0.0, 0.0};   ///< of the log's frame in the map's
   std::array<double, 4> q_map_log{1.0, 0.0, 0.0, 0.0};  ///< w x y z
   SmoothingSpec smoothing;
   GivenOutcome outcome = GivenOutcome::judged;

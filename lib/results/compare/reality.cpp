@@ -44,15 +44,13 @@ FlownSweep read_flights(const Database& database, bool is_real) {
     const bool is_mixed = std::any_of(trials.begin(), trials.end(), [&](const auto& trial) {
       return trial.is_recorded != is_real;
     });
-    std::erase_if(trials,
-                  [&](const TrialListing& trial) { return trial.is_recorded != is_real; });
+    std::erase_if(trials, [&](const TrialListing& trial) { return trial.is_recorded != is_real; });
     const bool is_shown_beside = is_real && is_mixed;
     if (!trials.empty() && !is_shown_beside) sweeps.emplace(name, std::move(trials));
   }
   if (sweeps.size() != 1) {
     refuse_file(database.path(), "has " + counted(sweeps.size(), "sweep") + " with " +
-                                     (is_real ? "real" : "simulated") +
-                                     " flights; expected one");
+                                     (is_real ? "real" : "simulated") + " flights; expected one");
   }
   FlownSweep flown{.name = sweeps.begin()->first, .trials = {}, .missions = {}};
   TrialReader reader(database);
@@ -71,9 +69,7 @@ struct Pair {
   std::int64_t mission = 0;
   double distance_m = 0.0;
 
-  bool is_same_outcome() const {
-    return real->record.outcome == simulated->record.outcome;
-  }
+  bool is_same_outcome() const { return real->record.outcome == simulated->record.outcome; }
 };
 
 bool is_success(const TrialRow& row) { return row.record.outcome == Outcome::reached_goal; }
@@ -88,8 +84,10 @@ std::map<std::string, std::vector<Pair>> pairs_of(const FlownSweep& real,
     const Mission &a = real.missions.at(key.second), &b = simulation.missions.at(key.second);
     if (a.start_world != b.start_world || a.goal_world != b.goal_world) {
       refuse_file(file, "mission " + std::to_string(key.second) + " of its sweep " +
-                            simulation.name + " is another one than that of the real flight: it "
-                            "is no twin of " + real.name);
+                            simulation.name +
+                            " is another one than that of the real flight: it "
+                            "is no twin of " +
+                            real.name);
     }
     pairs[key.first].push_back(
         {.real = &row,
@@ -149,9 +147,9 @@ RealityGap gap_of(const std::string& simulation, const std::string& planner,
 }
 
 Eigen::Vector3d position_at(std::span<const Sample> samples, double time_s) {
-  const auto next = std::lower_bound(
-      samples.begin(), samples.end(), time_s,
-      [](const Sample& sample, double time) { return sample.time_s < time; });
+  const auto next =
+      std::lower_bound(samples.begin(), samples.end(), time_s,
+                       [](const Sample& sample, double time) { return sample.time_s < time; });
   if (next == samples.begin()) return samples.front().position_world;
   if (next == samples.end()) return samples.back().position_world;
   const Sample &a = *(next - 1), &b = *next;
@@ -174,8 +172,7 @@ double path_distance_m(std::span<const Sample> a, std::span<const Sample> b) {
   return sum_m / static_cast<double>(steps + 1);
 }
 
-std::vector<RealityGap> reality_gaps(const Database& real,
-                                     std::span<const Database> simulations) {
+std::vector<RealityGap> reality_gaps(const Database& real, std::span<const Database> simulations) {
   const FlownSweep flown = read_flights(real, true);
   std::vector<RealityGap> gaps;
   // What is compared with the first simulation points into its rows: those stay.
