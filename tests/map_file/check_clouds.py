@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""check_clouds.py --program AVOIDBENCH: maps of LAS files that laspy wrote, and of OctoMap files that this script writes
-from the format's description, against the same points as PLY. Exits with 77 where laspy is missing.
+"""check_clouds.py --program AVOIDBENCH: maps of LAS files that laspy wrote, and of OctoMap files that this script
+writes from the format's description, against the same points as PLY. Exits with 77 where laspy is missing.
 """
 
 import argparse
