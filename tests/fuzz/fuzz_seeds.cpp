@@ -36,6 +36,18 @@ int main(int argc, char** argv) {
   FilePoints points;
   for (int i = 0; i < 20; ++i) points.emplace_back(0.25 * i, 7.0 - i, 0.5 * (i % 3));
   for (const auto& [name, bytes] : test::all_clouds(points)) write(clouds / name, bytes);
+  for (int format = 0; format <= 10; ++format) {
+    write(clouds / ("format" + std::to_string(format) + ".las"),
+          test::las(points, {.minor = 4, .format = format, .extra = 2, .records = 1}));
+  }
+  write(clouds / "small.bt", test::octree_at_origin("0.25", 1, test::octree_node("ofoo0fo0"), 6));
+  write(clouds / "nodes.bt",
+        test::octree_at_origin("0.1", 3,
+                               test::octree_node("n00000on") + test::octree_node("ofofof00") +
+                                   test::octree_node("0000000f"),
+                               10));
+  write(clouds / "full.ot", "# Octomap OcTree file\nid OcTree\nsize 1\nres 0.1\ndata\n");
+  write(clouds / "a.e57", "ASTM-E57");
 
   Prototype box;
   add_box(box, {1, 2, 3}, {3, 5, 7}, Material::brick);

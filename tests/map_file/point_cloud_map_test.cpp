@@ -193,7 +193,9 @@ TEST(PointCloud, WhatIsWrongIsReportedWithFileAndLine) {
   const std::string ply_header =
       "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty "
       "float z\nend_header\n";
-  EXPECT_EQ(parse("solid"), "c: begins neither as a PLY file ('ply') nor as a PCD file ('# .PCD')");
+  EXPECT_EQ(parse("solid"),
+            "c: begins as none of PLY ('ply'), PCD ('# .PCD'), LAS ('LASF') and OctoMap's .bt "
+            "('# Octomap OcTree binary file')");
   EXPECT_EQ(parse("ply\nformat text 1.0\n"),
             "c:2: expected 'format ascii|binary_little_endian|binary_big_endian 1.0'");
   EXPECT_EQ(parse("ply\nformat ascii 1.0\nelement vertex two\n"),

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstring>
 #include <sstream>
 #include <string>
@@ -220,6 +222,89 @@ inline std::string pcd(const FilePoints& points, const std::string& data) {
          raw(static_cast<std::uint32_t>(columns.size())) + packed;
 }
 
+/// How a LAS file says the same points.
+struct LasForm {
+  int minor = 2;            ///< of version 1
+  int format = 0;           ///< of the points
+  std::size_t extra = 0;    ///< bytes behind what the format has
+  std::size_t records = 0;  ///< before the points, of 10 bytes each
+  double scale = 1.0 / 64;
+  Eigen::Vector3d offset = Eigen::Vector3d::Zero();
+  std::vector<std::size_t> withheld = {};  ///< points that are flagged so
+  bool has_legacy_count = true;
+};
+
+/// Puts a number's bytes over those at a place.
+template <class T>
+void put(std::string& bytes, std::size_t at, T value) {
+  bytes.replace(at, sizeof(T), raw(value));
+}
+
+inline std::string las(const FilePoints& points, const LasForm& form = {}) {
+  constexpr std::array<std::size_t, 11> kSizes{20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67};
+  const std::size_t header_size = form.minor == 4 ? 375 : form.minor == 3 ? 235 : 227;
+  const std::size_t size = kSizes.at(static_cast<std::size_t>(form.format)) + form.extra;
+  const std::string record = std::string(2, '\0') + "avoidbench test " + raw(std::uint16_t{7}) +
+                             raw(std::uint16_t{10}) + std::string(32 + 10, 'r');
+  std::string bytes(header_size, '\0');
+  bytes.replace(0, 4, "LASF");
+  bytes[24] = 1;
+  bytes[25] = static_cast<char>(form.minor);
+  put(bytes, 94, static_cast<std::uint16_t>(header_size));
+  put(bytes, 96, static_cast<std::uint32_t>(header_size + form.records * record.size()));
+  put(bytes, 100, static_cast<std::uint32_t>(form.records));
+  bytes[104] = static_cast<char>(form.format);
+  put(bytes, 105, static_cast<std::uint16_t>(size));
+  if (form.has_legacy_count) put(bytes, 107, static_cast<std::uint32_t>(points.size()));
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    put(bytes, 131 + 8 * axis, form.scale);
+    put(bytes, 155 + 8 * axis, form.offset[static_cast<Eigen::Index>(axis)]);
+  }
+  if (form.minor == 4) put(bytes, 247, static_cast<std::uint64_t>(points.size()));
+  for (std::size_t i = 0; i < form.records; ++i) bytes += record;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Eigen::Vector3d steps = (points[i] - form.offset) / form.scale;
+    std::string point(size, '\x11');  // neither flag for being withheld
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double step = std::round(steps[static_cast<Eigen::Index>(axis)]);
+      put(point, 4 * axis, static_cast<std::int32_t>(step));
+    }
+    if (std::count(form.withheld.begin(), form.withheld.end(), i) > 0) {
+      point[15] = form.format < 6 ? '\x82' : '\x04';
+    }
+    bytes += point;
+  }
+  return bytes + "what may follow the points";
+}
+
+/// An OctoMap .bt file of a tree's bytes.
+inline std::string octree(std::uint64_t nodes, const std::string& resolution,
+                          const std::string& tree) {
+  return "# Octomap OcTree binary file\n# (feel free to add / change comments, but leave the first "
+         "line as it is!)\n#\nid OcTree\nsize " +
+         std::to_string(nodes) + "\nres " + resolution + "\ndata\n" + tree;
+}
+
+/// A node's two bytes: what its children are, from the first to the eighth: '0' unknown, 'f' free,
+/// 'o' occupied, 'n' a node that follows.
+inline std::string octree_node(const std::string& children) {
+  std::uint16_t bits = 0;
+  for (std::size_t i = 0; i < 8; ++i) {
+    const unsigned kind = children.at(i) == 'n' ? 3U : children[i] == 'o' ? 2U : children[i] == 'f';
+    bits = static_cast<std::uint16_t>(bits | (kind << (2 * i)));
+  }
+  return raw(bits);
+}
+
+/// A tree whose root and the nodes below lead to the voxels at the origin's corner, where all are
+/// positive: `last` is the node of depth 16 - levels, and what follows it.
+inline std::string octree_at_origin(const std::string& resolution, unsigned levels,
+                                    const std::string& last, std::uint64_t more_nodes) {
+  std::string tree = octree_node("0000000n");
+  for (unsigned depth = 1; depth < 16 - levels; ++depth) tree += octree_node("n0000000");
+  return octree(16 - levels + 1 + more_nodes, resolution, tree + last);
+}
+
 /// A name and the bytes of the same points in each format.
 inline std::vector<std::pair<std::string, std::string>> all_clouds(const FilePoints& points) {
   return {{"ascii.ply", ply(points, "ascii")},
@@ -227,7 +312,10 @@ inline std::vector<std::pair<std::string, std::string>> all_clouds(const FilePoi
           {"big.ply", ply(points, "binary_big_endian")},
           {"ascii.pcd", pcd(points, "ascii")},
           {"binary.pcd", pcd(points, "binary")},
-          {"compressed.pcd", pcd(points, "binary_compressed")}};
+          {"compressed.pcd", pcd(points, "binary_compressed")},
+          {"12.las", las(points)},
+          {"13.las", las(points, {.minor = 3, .format = 5, .records = 2})},
+          {"14.las", las(points, {.minor = 4, .format = 6, .extra = 3})}};
 }
 
 }  // namespace avoidbench::test

@@ -17,6 +17,13 @@ std::string read_map_file(const std::string& file) {
   return bytes;
 }
 
+std::string first_bytes(const std::string& file, std::size_t count) {
+  std::string bytes(count, '\0');
+  bytes.resize(InputFile(file, kMostFileBytes).read(bytes));
+  if (bytes.empty()) fail_file(file, "is empty");
+  return bytes;
+}
+
 std::string bytes_digest(std::string_view bytes) {
   return Digest().add_bytes(std::as_bytes(std::span(bytes.data(), bytes.size()))).hex();
 }

@@ -14,6 +14,9 @@ namespace avoidbench {
 /// kMostFileBytes.
 std::string read_map_file(const std::string& file);
 
+/// The first bytes of a file, `count` of them or all. Throws InputError as read_map_file().
+std::string first_bytes(const std::string& file, std::size_t count);
+
 /// The SHA-256 of bytes already read, as file_digest() gives it.
 std::string bytes_digest(std::string_view bytes);
 

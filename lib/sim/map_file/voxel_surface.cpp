@@ -187,6 +187,7 @@ VoxelSurface voxel_surface(const FilePoints& points, double resolution_m,
     sides[2 * axis] = merged(faces.low);
     sides[2 * axis + 1] = merged(faces.high);
     surface.triangle_count += 2 * (sides[2 * axis].size() + sides[2 * axis + 1].size());
+    if (surface.triangle_count > most_triangles) sides = {};
   }
   // Only counted: the caller says how many there would be.
   if (surface.triangle_count > most_triangles) return surface;
@@ -197,6 +198,53 @@ VoxelSurface voxel_surface(const FilePoints& points, double resolution_m,
     for (const Rectangle& rectangle : sides[side]) add_rectangle(rectangle, frame, surface.mesh);
   }
   return surface;
+}
+
+namespace {
+
+constexpr std::int64_t kMiddle = std::int64_t{1} << (kBits - 1);  // of the cells that can be packed
+constexpr std::size_t kFewestUnsorted = std::size_t{1} << 20U;
+
+}  // namespace
+
+VoxelSieve::VoxelSieve(double resolution_m, std::size_t most_voxels)
+    : resolution_m_(resolution_m), most_voxels_(most_voxels), sort_at_(kFewestUnsorted) {}
+
+void VoxelSieve::sort() {
+  std::sort(cells_.begin(), cells_.end());
+  cells_.erase(std::unique(cells_.begin(), cells_.end()), cells_.end());
+  sort_at_ = cells_.size() + std::max(cells_.size(), kFewestUnsorted);
+}
+
+bool VoxelSieve::add(const Eigen::Vector3d& point) {
+  const Cell cell = cell_of(point, resolution_m_);
+  const auto above = [&](std::size_t axis) {
+    AB_CHECK(cell[axis] >= -kMiddle && cell[axis] < kMiddle, axis);
+    return static_cast<std::uint64_t>(cell[axis] + kMiddle);
+  };
+  const std::uint64_t packed_cell = packed(above(0), above(1), above(2));
+  // Neighbours in a file are neighbours in space, mostly.
+  if (!cells_.empty() && cells_.back() == packed_cell) return true;
+  cells_.push_back(packed_cell);
+  if (cells_.size() < sort_at_) return true;
+  sort();
+  return cells_.size() <= most_voxels_;
+}
+
+FilePoints VoxelSieve::centres() {
+  sort();
+  FilePoints points;
+  if (cells_.size() > most_voxels_) return points;
+  points.reserve(cells_.size());
+  for (const std::uint64_t cell : cells_) {
+    Eigen::Vector3d point;
+    for (unsigned axis = 0; axis < 3; ++axis) {
+      const std::int64_t index = static_cast<std::int64_t>(part(cell, 2 - axis)) - kMiddle;
+      point[axis] = (static_cast<double>(index) + 0.5) * resolution_m_;
+    }
+    points.push_back(point);
+  }
+  return points;
 }
 
 }  // namespace avoidbench

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/digest.hpp"
+#include "base/input_file.hpp"
 #include "base/number_text.hpp"
 #include "base/poll.hpp"
 #include "map_file/map_file.hpp"
@@ -71,7 +73,9 @@ void check_fields(const FileSpec& spec, const std::vector<std::string>& extensio
   if (spec.file.empty()) {
     problems.push_back("file: is not given; it is the map's file (" + known + ")");
   } else if (std::find(extensions.begin(), extensions.end(), extension) == extensions.end()) {
-    problems.push_back("file: '" + extension + "' is none of " + known);
+    const std::string hint(conversion_of(extension));
+    problems.push_back("file: '" + extension + "' is none of " + known +
+                       (hint.empty() ? "" : ": " + hint));
   }
   if (!(spec.scale >= 1e-6 && spec.scale <= 1e6))
     problems.push_back("scale: is outside [1e-6, 1e6]");
@@ -103,14 +107,18 @@ void check_fields(const FileSpec& spec, const std::vector<std::string>& extensio
   }
 }
 
+/// A sweep that was read holds its file's digest: each worker must fly on that file.
+template <class FileSpec>
+void check_digest(const FileSpec& spec, const std::string& digest) {
+  if (digest == spec.file_digest) return;
+  fail_file(spec.file,
+            "is not the file it was: its SHA-256 is not file_digest, " + spec.file_digest);
+}
+
 template <class FileSpec>
 std::string read_bytes(const FileSpec& spec) {
   std::string bytes = read_map_file(spec.file);
-  // A sweep that was read holds its file's digest: each worker must fly on that file.
-  if (!spec.file_digest.empty() && bytes_digest(bytes) != spec.file_digest) {
-    fail_file(spec.file,
-              "is not the file it was: its SHA-256 is not file_digest, " + spec.file_digest);
-  }
+  if (!spec.file_digest.empty()) check_digest(spec, bytes_digest(bytes));
   return bytes;
 }
 
@@ -130,15 +138,24 @@ Eigen::Vector3d turned_back(UpAxis up, const Eigen::Vector3d& p) {
 
 /// From the file's units and axes to the world frame.
 template <class FileSpec>
-void to_world(const FileSpec& spec, FilePoints& points) {
+Eigen::Vector3d in_world(const FileSpec& spec, const Eigen::Vector3d& p) {
   const Eigen::Vector3d origin(spec.origin_m[0], spec.origin_m[1], spec.origin_m[2]);
-  for (Eigen::Vector3d& p : points) p = spec.scale * turned(spec.up_axis, p) - origin;
+  return spec.scale * turned(spec.up_axis, p) - origin;
+}
+
+template <class FileSpec>
+void to_world(const FileSpec& spec, FilePoints& points) {
+  for (Eigen::Vector3d& p : points) p = in_world(spec, p);
 }
 
 Aabb box_around(const FilePoints& points) {
   Aabb box;
   for (const Eigen::Vector3d& point : points) box.extend(point);
   return box;
+}
+
+double farthest_m(const Aabb& box) {
+  return std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
 }
 
 /// Throws where the box is no map's in metres; `hint` is what else may help where it is too large.
@@ -156,9 +173,7 @@ void check_extent(const std::string& file, const Aabb& box, const std::string& h
     fail_file(file, found + ", less than 1 m: set scale, the metres in one unit of the file");
   }
   // After the size: a wrong scale moves a map far away, too.
-  const double farthest_m =
-      std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
-  if (farthest_m > kMostCoordinate_m) {
+  if (farthest_m(box) > kMostCoordinate_m) {
     const Eigen::Vector3d whole = box.min().array().floor();
     const std::string origin = "[" + significant_digits(whole.x(), 12) + ", " +
                                significant_digits(whole.y(), 12) + ", " +
@@ -333,26 +348,138 @@ void set_mean_width(World& world) {
   if (count > 0.0) world.mean_obstacle_width_m = sum_m / count;
 }
 
-/// The points within the bounds, where these are given; those on a high face would fill the voxels
-/// behind it.
-void crop(const PointCloudSpec& spec, FilePoints& points) {
-  if (points.size() < kFewestPoints) {
-    fail_file(spec.file, "has " + std::to_string(points.size()) +
-                             (points.size() == 1 ? " point that is" : " points that are") +
+/// Points counted, and the box around them.
+struct Extent {
+  std::uint64_t count = 0;
+  Aabb box;
+
+  void add(const Eigen::Vector3d& point) {
+    ++count;
+    box.extend(point);
+  }
+};
+
+/// Those in the world frame, and those of them within the bounds.
+struct CloudExtent {
+  Extent all, within;
+};
+
+/// Whether the point is within the bounds, where these are given; one on a high face would fill the
+/// voxel behind it.
+bool is_within(const PointCloudSpec& spec, const Eigen::Vector3d& point) {
+  if (!spec.bounds.is_given()) return true;
+  const Aabb bounds = box_of(spec.bounds);
+  return bounds.contains(point) && !(point.array() == bounds.max().array()).any();
+}
+
+void check_extent(const PointCloudSpec& spec, const CloudExtent& extent) {
+  const auto& [all, within] = extent;
+  if (all.count < kFewestPoints) {
+    fail_file(spec.file, "has " + std::to_string(all.count) +
+                             (all.count == 1 ? " point that is" : " points that are") +
                              " finite; a map needs 10 at least");
   }
-  if (!spec.bounds.is_given()) return;
-  const Aabb bounds = box_of(spec.bounds);
-  const Aabb all = box_around(points);
-  std::erase_if(points, [&](const Eigen::Vector3d& point) {
-    return !bounds.contains(point) || (point.array() == bounds.max().array()).any();
-  });
-  if (points.size() < kFewestPoints) {
-    fail_file(spec.file, "has " + std::to_string(points.size()) +
-                             " points within bounds; its points span " + text_of(all.min()) +
-                             " to " + text_of(all.max()) +
+  if (within.count < kFewestPoints) {
+    fail_file(spec.file, "has " + std::to_string(within.count) +
+                             " points within bounds; its points span " + text_of(all.box.min()) +
+                             " to " + text_of(all.box.max()) +
                              " m (scale, up_axis and origin_m applied)");
   }
+  // Of those within: stray points out of the bounds do no harm.
+  check_extent(spec.file, within.box, "; stray points: give bounds");
+}
+
+/// Throws where voxels of the map would lie between those of the octree. Returns what is to be
+/// added to all points: where origin_m puts the octree's centres on the faces of the map's voxels,
+/// rounding would choose a side for each.
+Eigen::Vector3d octree_shift(const PointCloudSpec& spec, double octree_m) {
+  constexpr double kSame = 1e-6;
+  const double ratio = octree_m / spec.resolution_m;
+  if (ratio > 1.0 + kSame) {
+    fail_file(spec.file, "has voxels of " + number(octree_m) + " m: resolution_m " +
+                             number(spec.resolution_m) +
+                             " would leave gaps between them; set it to " + number(octree_m) +
+                             " or coarser");
+  }
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero();
+  // In coarser voxels there is another centre, farther from the faces.
+  if (ratio < 1.0 - kSame) return shift;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double place = 0.5 - spec.origin_m[axis] / spec.resolution_m;  // of a centre, in voxels
+    if (std::abs(place - std::round(place)) < 1e-3) {
+      shift[static_cast<Eigen::Index>(axis)] = 0.25 * spec.resolution_m;
+    }
+  }
+  return shift;
+}
+
+/// The cloud's points within the bounds, in the world frame, of a file that is read whole.
+FilePoints whole_cloud(const PointCloudSpec& spec) {
+  const std::string bytes = read_bytes(spec);
+  FilePoints points = parse_point_cloud(bytes, spec.file);
+  to_world(spec, points);
+  if (is_octree(bytes)) {
+    const double octree_m = spec.scale * octree_resolution(bytes, spec.file);
+    const Eigen::Vector3d shift = octree_shift(spec, octree_m);
+    for (Eigen::Vector3d& p : points) p += shift;
+  }
+  CloudExtent extent;
+  for (const Eigen::Vector3d& p : points) extent.all.add(p);
+  std::erase_if(points, [&](const Eigen::Vector3d& p) { return !is_within(spec, p); });
+  for (const Eigen::Vector3d& p : points) extent.within.add(p);
+  check_extent(spec, extent);
+  return points;
+}
+
+[[noreturn]] void fail_voxels(const PointCloudSpec& spec) {
+  fail_file(spec.file, "has points in more than " + std::to_string(kMostVoxels) + " voxels of " +
+                           number(spec.resolution_m) +
+                           " m: set resolution_m coarser, or bounds to the part that is flown in");
+}
+
+/// As whole_cloud(), a point for each voxel, of a LAS file that may be larger than the memory.
+FilePoints sieved_cloud(const PointCloudSpec& spec) {
+  InputFile input(spec.file, kMostFileBytes);
+  Digest digest;
+  const auto read = [&](std::span<char> bytes) {
+    const std::size_t count = input.read(bytes);
+    if (!spec.file_digest.empty()) digest.add_bytes(std::as_bytes(bytes.first(count)));
+    return count;
+  };
+  CloudExtent extent;
+  VoxelSieve sieve(spec.resolution_m, kMostVoxels);
+  read_las_points(read, spec.file, [&](const Eigen::Vector3d& point) {
+    const Eigen::Vector3d p = in_world(spec, point);
+    extent.all.add(p);
+    if (!is_within(spec, p)) return;
+    extent.within.add(p);
+    // Else the extent is refused at the end, and the point may have no voxel.
+    const Aabb& box = extent.within.box;
+    const bool is_map =
+        box.sizes().maxCoeff() <= kMostExtent_m && farthest_m(box) <= kMostCoordinate_m;
+    if (is_map && !sieve.add(p)) fail_voxels(spec);
+  });
+  if (!spec.file_digest.empty()) {
+    std::array<char, 4096> rest{};
+    while (read(rest) == rest.size()) {
+    }
+    check_digest(spec, digest.hex());
+  }
+  check_extent(spec, extent);
+  FilePoints points = sieve.centres();
+  if (points.empty()) fail_voxels(spec);
+  return points;
+}
+
+FilePoints cloud_points(const PointCloudSpec& spec) {
+  const std::string begin = first_bytes(spec.file, 32);
+  if (is_las(begin)) return sieved_cloud(spec);
+  if (is_octree(begin) && std::filesystem::file_size(spec.file) > kMostOctreeBytes) {
+    fail_file(spec.file,
+              "is larger than " + std::to_string(kMostOctreeBytes / 1'000'000) +
+                  " MB, the most for an octree: make its voxels larger or cut out a part first");
+  }
+  return whole_cloud(spec);
 }
 
 /// A resolution at which the surface should have few enough triangles, two digits.
@@ -369,7 +496,7 @@ void find_problems(const MeshSpec& spec, std::vector<std::string>& problems) {
 }
 
 void find_problems(const PointCloudSpec& spec, std::vector<std::string>& problems) {
-  check_fields(spec, {"ply", "pcd"}, problems);
+  check_fields(spec, {"ply", "pcd", "las", "bt"}, problems);
   if (!(spec.resolution_m >= 0.01 && spec.resolution_m <= 10.0)) {
     problems.push_back("resolution_m: " + number(spec.resolution_m) + " is outside [0.01, 10]");
   }
@@ -395,12 +522,7 @@ World make_mesh(const MeshSpec& spec) {
 }
 
 World make_point_cloud(const PointCloudSpec& spec) {
-  FilePoints points = parse_point_cloud(read_bytes(spec), spec.file);
-  to_world(spec, points);
-  crop(spec, points);
-  // After cropping: stray points out of the bounds do no harm.
-  check_extent(spec.file, box_around(points), "; stray points: give bounds");
-  VoxelSurface surface = voxel_surface(points, spec.resolution_m, kMostTriangles);
+  VoxelSurface surface = voxel_surface(cloud_points(spec), spec.resolution_m, kMostTriangles);
   if (surface.mesh.triangles.empty()) {
     fail_file(spec.file, "its voxels of " + number(spec.resolution_m) + " m have " +
                              std::to_string(surface.triangle_count) + " triangles, more than " +

@@ -49,10 +49,11 @@ struct MeshSpec {
   Material material = Material::concrete;
 };
 
-/// A point cloud, PLY or PCD, as the surface of the voxels that hold a point.
+/// A point cloud, PLY, PCD, LAS or OctoMap's .bt, as the surface of the voxels that hold a point.
 struct PointCloudSpec {
   static constexpr std::string_view kind = "point_cloud";
-  static constexpr std::string_view doc = "A point cloud from a file, PLY or PCD, as voxels.";
+  static constexpr std::string_view doc =
+      "A point cloud from a file as voxels: PLY, PCD, LAS, OctoMap bt.";
   std::string file;         ///< as in MeshSpec
   std::string file_digest;  ///< as in MeshSpec
   double resolution_m = 0.2;
@@ -90,7 +91,7 @@ void visit(Visitor& v, Spec& s) {
 
 template <class Visitor, ConstOr<PointCloudSpec> Spec>
 void visit(Visitor& v, Spec& s) {
-  v.field("file", s.file, "PLY or PCD file; relative to the sweep file's folder.");
+  v.field("file", s.file, "PLY, PCD, LAS or OctoMap bt file; relative to the sweep file's folder.");
   v.field("resolution_m", s.resolution_m, Range{0.01, 10},
           "Side of a voxel: solid where it holds a point.");
   visit_file_fields(v, s);
@@ -108,7 +109,9 @@ void find_problems(const PointCloudSpec& spec, std::vector<std::string>& problem
 World make_mesh(const MeshSpec& spec);
 
 /// The map of the cloud's voxels, whose corners are at whole multiples of resolution_m. Points
-/// that are not finite or outside the given bounds are left out. Throws InputError as make_mesh().
+/// that are not finite or outside the given bounds are left out. Of a LAS file memory takes what
+/// its voxels need, kMostVoxels at most. Throws InputError as make_mesh(); also where resolution_m
+/// is finer than the voxels of an octree.
 World make_point_cloud(const PointCloudSpec& spec);
 
 }  // namespace avoidbench
