@@ -99,6 +99,37 @@ axes: {map.bush_ratio: [0.1, 0.2]}
 sweep: 2026
 """
 
+# Files of real flights, after what they all have; what is wrong in the second ones is no missing file.
+FLIGHTS_HEAD = {
+    "flights": "flights: a",
+    "sweep": "sweep: {maps: {generator: forest}}",
+    "recordings": "recordings: [{log: x.tum, planner: ego, goal: [1, 2, 3]}]",
+}
+GOOD_FLIGHTS = """
+flights: 2026
+sweep: {vehicle: firefly, mission: {goal_radius_m: 2}, planners: [ego]}
+smoothing: {position_noise_m: 0.02, jerk_mps3: 40}
+alignment: {translation_m: [1, 2, 3], yaw_deg: 90}
+alignment: {points: [{log: [0, 0, 0], map: [1, 1, 1]}, {log: [0, 1, 0], map: [1, 2, 1]}, {log: [3, 0, 0], map: [4, 1, 1]}]}
+recordings: [{log: x.tum, planner: ego, goal: [1, 2, 3], start: [], outcome: collided, begin_s: 2, end_s: 9}]
+"""
+WRONG_FLIGHTS = """
+flights: a/b
+flight: a
+sweep: 3
+sweep: {mapps: {}}
+sweep: {maps: {generator: forrest}}
+smoothing: {position_noise_m: 0}
+smoothing: {noise: 1}
+alignment: {yaw: 3}
+alignment: {points: [{log: [0, 0], map: [1, 1, 1]}]}
+recordings: []
+recordings: [{planner: ego, goal: [1, 2, 3]}]
+recordings: [{log: x.tum, planner: ego, goal: [1, 2, 3], outcome: crashed}]
+recordings: [{log: x.tum, planner: ego, goal: [1, 2, 3], topik: a}]
+recordings: [{log: x.tum, planner: ego, goal: [1, 2, 3], begin_s: -1}]
+"""
+
 # Sweep files that both refuse.
 WRONG = """
 sensor: {more_cameras: [{widht_px: 64}]}
@@ -205,7 +236,7 @@ class Checker:
     def __init__(self, program, folder):
         self.program, self.folder, self.failures, self.count = program, pathlib.Path(folder), [], 0
         self.validators = {}
-        for kind in ("sweep", "part", "vehicle", "sensor"):
+        for kind in ("sweep", "part", "flights", "vehicle", "sensor"):
             schema = json.loads(self.run("config", "schema", kind))
             validator_class.check_schema(schema)
             self.validators[kind] = validator_class(schema)
@@ -243,6 +274,24 @@ class Checker:
             self.fail(f"config check is wrong about: {text.strip()}\n  {problems}")
         if bool(errors) == is_good:
             self.fail(f"the schema is wrong about: {text.strip()}\n  {[e.message[:200] for e in errors][:3]}")
+
+
+def check_flights(checker, file):
+    """Files of real flights, by the schema and by `import`, which finds no log in either case."""
+    checker.valid("flights", file.read_text(), file.name)
+    for is_good, text in ((True, GOOD_FLIGHTS), (False, WRONG_FLIGHTS)):
+        for line in text.strip().splitlines():
+            checker.count += 1
+            content = "\n".join({**FLIGHTS_HEAD, line.split(":")[0]: line}.values()) + "\n"
+            (checker.folder / "f.yaml").write_text(content)
+            command = [checker.program, "import", "f.yaml"]
+            done = subprocess.run(command, cwd=checker.folder, capture_output=True, text=True, check=False)
+            problems = [problem for problem in done.stderr.splitlines() if "no such file" not in problem]
+            if done.returncode != 2 or bool(problems) == is_good:
+                checker.fail(f"import is wrong about: {line}\n  {problems}")
+            errors = checker.errors("flights", load(content))
+            if bool(errors) == is_good:
+                checker.fail(f"the schema is wrong about: {line}\n  {[e.message[:200] for e in errors][:3]}")
 
 
 def check_page(checker, page):
@@ -346,6 +395,7 @@ def main():
             name = line.split(",")[0]
             checker.valid("sensor", checker.run("config", "defaults", name), name)
 
+        check_flights(checker, arguments.configs / "flights/thicket.yaml")
         if arguments.page:
             check_page(checker, arguments.page)
         for is_good, lines in ((True, GOOD), (False, WRONG)):

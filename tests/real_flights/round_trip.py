@@ -56,7 +56,7 @@ def check(kind, simulated, imported):
     assert sorted(simulated) == sorted(imported), kind
     for mission, row in simulated.items():
         real = imported[mission]
-        assert real["planner"] == "reactive (real)", real["planner"]
+        assert real["planner"] == "reactive_real", real["planner"]
         assert real["outcome"] == row["outcome"], (kind, mission, real["outcome"], real["reason"])
         for name, (relative, absolute) in TOLERANCES.items():
             expected, got = row[name], real[name]

@@ -45,7 +45,7 @@ def main():
         bench.run("import", "wood.yaml", "--db", "twin.db", "--beside", "twin")
         report = bench.run("report", "twin.db", "--page", "page.html")
         print(report)
-        assert "reactive (real)" in report, report
+        assert "reactive_real" in report, report
 
 
 def record(bench):

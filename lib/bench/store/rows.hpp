@@ -121,7 +121,7 @@ struct TrialListing {
 };
 
 /// Ends the labels of planners that flew in reality: their simulated twins have the rest.
-inline constexpr std::string_view kRealLabel = " (real)";
+inline constexpr std::string_view kRealLabel = "_real";
 
 /// What reports need of one trial.
 struct TrialSummary {

@@ -117,7 +117,7 @@ RealityGap gap_of(const std::string& simulation, const std::string& planner,
                   const std::vector<Pair>& pairs, const std::vector<Pair>* first) {
   RealityGap gap{.simulation = simulation, .planner = planner};
   gap.pair_count = static_cast<std::int64_t>(pairs.size());
-  std::vector<double> distances_m, differences_m;
+  std::vector<double> distances_m, ratios;
   for (const Pair& pair : pairs) {
     gap.same_outcome_count += pair.is_same_outcome() ? 1 : 0;
     gap.real_rate += is_success(*pair.real) ? 1.0 : 0.0;
@@ -128,7 +128,8 @@ RealityGap gap_of(const std::string& simulation, const std::string& planner,
       return other.mission == pair.mission;
     });
     if (same == first->end()) continue;
-    differences_m.push_back(pair.distance_m - same->distance_m);
+    // As ratios: a flight that chose the other side of a tree must not outweigh all others.
+    ratios.push_back(math::log(pair.distance_m / same->distance_m));
     gap.nearer_count += pair.distance_m < same->distance_m ? 1 : 0;
   }
   const auto count = static_cast<double>(pairs.size());
@@ -142,7 +143,7 @@ RealityGap gap_of(const std::string& simulation, const std::string& planner,
       stream(1, "reality_gaps"));
   std::sort(distances_m.begin(), distances_m.end());
   gap.distance_m = quantile(distances_m, 0.5);
-  gap.p = first == nullptr ? math::kNaN : wilcoxon_signed_rank(differences_m).p;
+  gap.p = first == nullptr ? math::kNaN : wilcoxon_signed_rank(ratios).p;
   return gap;
 }
 
@@ -220,8 +221,8 @@ Table reality_table(const std::vector<RealityGap>& gaps) {
         .header = "nearer",
         .doc = "missions on which it is nearer to reality than the first simulation"},
        {.name = "p",
-        .doc = "that it is as near as the first simulation: Wilcoxon's signed-rank test, "
-               "corrected (Holm)"}});
+        .doc = "that it is as near as the first simulation: Wilcoxon's signed-rank test of the "
+               "distances' ratios, corrected (Holm)"}});
   const auto digits = [](double value, int decimals) {
     return std::isnan(value) ? std::string("–") : fixed_digits(value, decimals);
   };

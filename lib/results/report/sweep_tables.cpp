@@ -549,7 +549,8 @@ Section sweep_section(const SweepSummary& summary, std::span<const std::string> 
   std::vector<std::string> versions;  // "ego 1.0", "mine 0.2"
   const bool has_limits = summary.limits.rule.is_set();
   for (std::size_t i = 0; i < summary.planners.size() && !has_limits; ++i) {
-    versions.push_back(summary.planners[i] + " " + summary.planner_versions[i] +
+    const std::string& version = summary.planner_versions[i];  // none of what flew for real
+    versions.push_back(summary.planners[i] + (version.empty() ? "" : " " + version) +
                        (summary.sees_tracks[i] ? " (sees tracks)" : ""));
   }
   // Without the levels that a swept parameter makes of them.
