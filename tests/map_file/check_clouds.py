@@ -149,16 +149,15 @@ def main():
                     expected = map_info(program, folder / "las.ply", 0.4, UTM)
                 expect_equal(las.name, map_info(program, las, 0.4, UTM), expected)
         for resolution in (0.2, 0.25):
-            for is_pruned in (False, True):
-                tree, centres = octree_of(points, resolution, is_pruned)
-                bt, ply = folder / f"{resolution}_{is_pruned}.bt", folder / f"{resolution}.ply"
-                tree.write(bt)
-                write_ply(ply, centres)
-                for coarser in (1, 2):
-                    side = resolution * coarser
-                    expected = map_info(program, ply, side, (0, 0, 0))
-                    expect_equal(bt.name, map_info(program, bt, side, (0, 0, 0)), expected)
-            whole, pruned = (folder / f"{resolution}_{is_pruned}.bt" for is_pruned in (False, True))
+            whole, pruned, ply = (folder / f"{resolution}{name}" for name in (".bt", "_pruned.bt", ".ply"))
+            for file in (whole, pruned):
+                tree, centres = octree_of(points, resolution, is_pruned=file == pruned)
+                tree.write(file)
+            write_ply(ply, centres)
+            for side in (resolution, 2 * resolution):
+                expected = map_info(program, ply, side, (0, 0, 0))
+                for file in (whole, pruned):
+                    expect_equal(file.name, map_info(program, file, side, (0, 0, 0)), expected)
             if pruned.stat().st_size >= whole.stat().st_size:
                 sys.exit("nothing was pruned")
 

@@ -57,8 +57,7 @@ std::string header_bytes(Stream& stream, const std::string& file) {
   const int minor = static_cast<unsigned char>(bytes[25]);
   if (major != 1 || minor < 2 || minor > 4) {
     fail_file(file, "is LAS " + std::to_string(major) + "." + std::to_string(minor) +
-                        ", not 1.2 to 1.4: write it as one of these first, as by "
-                        "'pdal translate --writers.las.minor_version=4 in.las out.las'");
+                        ", not 1.2 to 1.4: write it as LAS 1.4 first, as pdal translate does");
   }
   const std::size_t size = load<std::uint16_t>(bytes.data() + 94, false);
   const std::size_t least = minor == 4 ? 375 : minor == 3 ? 235 : kSmallestHeader;

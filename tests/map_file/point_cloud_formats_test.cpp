@@ -201,6 +201,7 @@ TEST(Las, BoundsOriginAndDigestAreThoseOfOtherClouds) {
   spec.scale = 0.5;
   spec.origin_m = {0.25, 0.5, 0.0};
   spec.bounds = {{-3, 0, 0}, {2.75, 3.5, 2}};
+  spec.flight_height_m = 1.0;
   const std::string expected = make_world(spec, 1).digest;
   const std::string bytes = las(points, {.format = 1});
   spec.file = folder.write("a.las", bytes);
@@ -228,7 +229,9 @@ TEST(Las, ExtentsAreReportedAsOfOtherClouds) {
   wide.push_back({40'000.0, 0.0, 0.0});
   EXPECT_TRUE(has(make(wide, {}), "more than 2000 m"));
   // As large as numbers come.
-  EXPECT_TRUE(has(make(cloud_around_origin(1000), {.scale = 1e300}), "more than 2000 m"));
+  FilePoints vast = cloud_around_origin(1000);
+  for (Eigen::Vector3d& p : vast) p *= 1e300;
+  EXPECT_TRUE(has(make(vast, {.scale = 1e298}), "more than 2000 m"));
   FilePoints many;
   for (int i = 0; i < 4'100'000; ++i) many.emplace_back(i % 2100, i / 2100, 0);
   for (Eigen::Vector3d& p : many) p /= 2.0;
