@@ -217,6 +217,27 @@ TEST(RecordedFlight, WithoutAnyAttitudeAllPosesStay) {
   EXPECT_EQ(flight.poses[0].q.coeffs(), Eigen::Quaterniond::Identity().coeffs());
 }
 
+TEST(RecordedFlight, VelocitiesOfTheBodyAreNoneWithoutAnAttitude) {
+  const auto message = [](double w) {
+    return test::RosMessage(Kind::ros1)
+        .header(5, "odom")
+        .name("base")
+        .doubles({0, 0, 0, 0, 0, 0, w})
+        .zeros(36)
+        .doubles({1, 2, 3, 0, 0, 0})
+        .zeros(36)
+        .bytes();
+  };
+  for (const double w : {1.0, 0.0}) {
+    const RecordedFlight flight =
+        flight_of_bytes(test::bag_of(test::bag_connection(1, "/odom", "nav_msgs/Odometry") +
+                                     test::bag_message(1, 5, message(w))));
+    EXPECT_EQ(flight.has_attitude, w == 1.0);
+    EXPECT_EQ(flight.velocities.empty(), w == 0.0);
+    EXPECT_EQ(flight.poses.size(), 1U);
+  }
+}
+
 TEST(RecordedFlight, WithoutAStampTheTimeOfRecordingIsTaken) {
   const RecordedFlight flight = flight_of_bytes(bag_of_poses({{.time_ns = 0}, {.time_ns = 0}}));
   ASSERT_EQ(flight.poses.size(), 2U);
