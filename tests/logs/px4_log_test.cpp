@@ -130,12 +130,13 @@ TEST(Ulog, TheControllersPositionsGoBeforeOdometry) {
                            test::ulog_record('A', id + "vehicle_odometry");
   std::string odometry;
   for (const char resets : {'\1', '\1', '\2'}) {
-    odometry += test::ulog_record('D', test::LogBytes()
-                                           .number(std::uint16_t{7})
-                                           .number(std::uint64_t{9} + static_cast<unsigned>(resets))
-                                           .numbers({1.F, 2.F, 3.F, 1.F, 0.F, 0.F, 0.F})
-                                           .number(resets)
-                                           .text);
+    odometry +=
+        test::ulog_record('D', test::LogBytes()
+                                   .number(std::uint16_t{7})
+                                   .number(std::uint64_t{9} + static_cast<std::uint64_t>(resets))
+                                   .numbers({1.F, 2.F, 3.F, 1.F, 0.F, 0.F, 0.F})
+                                   .number(resets)
+                                   .text);
   }
   const std::string start = test::ulog_head() + test::ulog_flags(0);
   const std::string positions = test::sample_ulog().substr(start.size());

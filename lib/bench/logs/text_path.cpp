@@ -80,6 +80,10 @@ class TextPathReader {
         if (line->ends_with('\n') || flight_.poses().empty()) throw;
         throw CutOff{position};
       }
+      if (!line->ends_with('\n')) {
+        flight_.warn("the last line of " + in_.file().string() +
+                     " has no end: if the file is cut off there, poses are missing");
+      }
     }
   }
 
