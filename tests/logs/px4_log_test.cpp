@@ -122,6 +122,52 @@ TEST(Ulog, OdometryWithoutPositionsOfTheControllerIsRead) {
   EXPECT_EQ(flight.velocities[0], Eigen::Vector3d(4, -5, -6));
 }
 
+TEST(Ulog, TheControllersPositionsGoBeforeOdometry) {
+  const std::string type =
+      "vehicle_odometry:uint64_t timestamp;float[3] position;float[4] q;uint8_t reset_counter;";
+  const std::string id = test::LogBytes().bytes({"\0", 1}).number(std::uint16_t{7}).text;
+  const std::string head = test::ulog_head() + test::ulog_flags(0) + test::ulog_record('F', type) +
+                           test::ulog_record('A', id + "vehicle_odometry");
+  std::string odometry;
+  for (const char resets : {'\1', '\1', '\2'}) {
+    odometry +=
+        test::ulog_record('D', test::LogBytes()
+                                   .number(std::uint16_t{7})
+                                   .number(std::uint64_t{9} + static_cast<std::uint64_t>(resets))
+                                   .numbers({1.F, 2.F, 3.F, 1.F, 0.F, 0.F, 0.F})
+                                   .number(resets)
+                                   .text);
+  }
+  const std::string start = test::ulog_head() + test::ulog_flags(0);
+  const std::string positions = test::sample_ulog().substr(start.size());
+  const RecordedFlight alone = flight_of_bytes(head + odometry);
+  EXPECT_EQ(alone.topic, "vehicle_odometry");
+  EXPECT_EQ(alone.poses.size(), 2U);
+  ASSERT_EQ(alone.warnings.size(), 2U);
+  EXPECT_TRUE(has(alone.warnings[0], "the estimate jumped 1 time (vehicle_odometry"));
+  for (const std::string& log : {head + odometry + positions, head + positions + odometry}) {
+    const RecordedFlight flight = flight_of_bytes(log);
+    EXPECT_EQ(flight.topic, "vehicle_local_position");
+    EXPECT_EQ(flight.poses.size(), static_cast<std::size_t>(test::kLogPoses));
+    EXPECT_TRUE(flight.warnings.empty());
+    const RecordedFlight named = flight_of_bytes(log, {.topic = "vehicle_odometry"});
+    EXPECT_EQ(named.poses.size(), 2U);
+  }
+  // Formats that change on the way.
+  const std::string again = test::ulog_record('F',
+                                              "vehicle_odometry:uint64_t timestamp;float[3] "
+                                              "position;float[4] q;float[3] velocity;");
+  const std::string with_velocity =
+      test::ulog_record('D', test::LogBytes()
+                                 .number(std::uint16_t{7})
+                                 .number(std::uint64_t{99})
+                                 .numbers({1.F, 2.F, 3.F, 1.F, 0.F, 0.F, 0.F, 4.F, 5.F, 6.F})
+                                 .text);
+  EXPECT_TRUE(has(ulog_refusal(head + odometry + again +
+                               test::ulog_record('A', id + "vehicle_odometry") + with_velocity),
+                  "some have a velocity, others none"));
+}
+
 TEST(Ulog, ReadsOnWhereDataWereAppended) {
   std::string log = test::sample_ulog();
   // The last message lost its end when the log was closed; then comes what was appended.

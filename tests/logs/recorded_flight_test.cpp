@@ -68,8 +68,8 @@ TEST(RecordedFlight, ALogCutAtAnyByteIsReadAsFarAsItGoesAndSaysSo) {
     std::size_t most = 0;
     for (std::size_t size = 0; size <= bytes.size(); ++size) {
       RecordedFlight flight;
-      const std::string message =
-          message_of([&] { flight = flight_of_bytes(std::string_view(bytes).substr(0, size)); });
+      const std::string_view begun = std::string_view(bytes).substr(0, size);
+      const std::string message = message_of([&] { flight = flight_of_bytes(begun); });
       if (!message.empty()) {
         EXPECT_EQ(most, 0U) << name << " at " << size << ": " << message;
         continue;
@@ -217,6 +217,27 @@ TEST(RecordedFlight, WithoutAnyAttitudeAllPosesStay) {
   EXPECT_EQ(flight.poses[0].q.coeffs(), Eigen::Quaterniond::Identity().coeffs());
 }
 
+TEST(RecordedFlight, VelocitiesOfTheBodyAreNoneWithoutAnAttitude) {
+  const auto message = [](double w) {
+    return test::RosMessage(Kind::ros1)
+        .header(5, "odom")
+        .name("base")
+        .doubles({0, 0, 0, 0, 0, 0, w})
+        .zeros(36)
+        .doubles({1, 2, 3, 0, 0, 0})
+        .zeros(36)
+        .bytes();
+  };
+  for (const double w : {1.0, 0.0}) {
+    const RecordedFlight flight =
+        flight_of_bytes(test::bag_of(test::bag_connection(1, "/odom", "nav_msgs/Odometry") +
+                                     test::bag_message(1, 5, message(w))));
+    EXPECT_EQ(flight.has_attitude, w == 1.0);
+    EXPECT_EQ(flight.velocities.empty(), w == 0.0);
+    EXPECT_EQ(flight.poses.size(), 1U);
+  }
+}
+
 TEST(RecordedFlight, WithoutAStampTheTimeOfRecordingIsTaken) {
   const RecordedFlight flight = flight_of_bytes(bag_of_poses({{.time_ns = 0}, {.time_ns = 0}}));
   ASSERT_EQ(flight.poses.size(), 2U);
@@ -241,7 +262,7 @@ TEST(RecordedFlight, NothingThatCanBeUsedIsAnError) {
   EXPECT_EQ(refusal(bag_of_poses({})),
             "log: no topic has poses that are read (poses of " + std::string(kPoseMessageNames) +
                 "); it has /pose (geometry_msgs/PoseStamped, 0 messages)");
-  const std::string message = refusal(bag_of_poses({{.position = {1, INFINITY, 0}}}));
+  const std::string message = refusal(bag_of_poses({{.position = {1, HUGE_VAL, 0}}}));
   EXPECT_EQ(message,
             "log: no pose that can be used; 1 pose is not finite or not valid and is left "
             "out; 1 pose has no time stamp; the time of recording is taken");

@@ -67,6 +67,10 @@ TEST(TextPath, ALastLineWithoutItsEndIsACutFile) {
   EXPECT_EQ(flight.poses.size(), 1U);
   ASSERT_EQ(flight.warnings.size(), 1U);
   EXPECT_TRUE(has(flight.warnings[0], "log is cut off at byte 16,"));
+  const RecordedFlight whole = flight_of_bytes("1 2 3 4 0 0 0 1\n2 2 3 4 0 0 0 1");
+  EXPECT_EQ(whole.poses.size(), 2U);
+  ASSERT_EQ(whole.warnings.size(), 1U);
+  EXPECT_TRUE(has(whole.warnings[0], "the last line of log has no end"));
 }
 
 }  // namespace

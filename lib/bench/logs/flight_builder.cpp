@@ -15,9 +15,6 @@ constexpr std::size_t kFewPoses = std::size_t{1} << 16U;
 constexpr std::size_t kMostTopics = 10'000, kMostTopicNameBytes = 1024, kMostChildFrames = 1000;
 constexpr std::size_t kMostListed = 50;
 
-/// Far from 1 it is no rounded attitude; zeros and NaN are what programs write that know none.
-bool is_attitude(const Eigen::Quaterniond& q) { return std::abs(q.norm() - 1.0) < 0.1; }
-
 std::string left_out(std::int64_t count, std::string_view noun, std::string_view one,
                      std::string_view several) {
   const bool is_one = count == 1;
@@ -61,21 +58,21 @@ std::string_view FlightBuilder::chosen_topic() const {
   return chosen_ ? std::string_view(topics_[*chosen_].name) : std::string_view();
 }
 
+void FlightBuilder::restart_with(std::size_t topic) {
+  FlightBuilder again(choice_);
+  again.flight_.format = std::move(flight_.format);
+  again.topics_ = std::move(topics_);
+  again.preferred_ = std::move(preferred_);
+  again.chosen_ = topic;
+  *this = std::move(again);
+}
+
 bool FlightBuilder::wants_message(std::size_t topic) {
   Topic& its = topics_[topic];
   ++its.count;
   if (!fits(its) || (!choice_.topic.empty() && its.name != choice_.topic)) return false;
   if (!chosen_) chosen_ = topic;
-  if (is_preferred_to_chosen(its)) {  // what was read of the other does not count
-    *this = [&] {
-      FlightBuilder again(choice_);
-      again.flight_.format = flight_.format;
-      again.topics_ = std::move(topics_);
-      again.preferred_ = std::move(preferred_);
-      again.chosen_ = topic;
-      return again;
-    }();
-  }
+  if (is_preferred_to_chosen(its)) restart_with(topic);
   return *chosen_ == topic;
 }
 
@@ -99,10 +96,10 @@ bool FlightBuilder::is_of_child(std::string_view child_frame) {
     ++place->second;
   } else {
     if (child_frames_.size() == kMostChildFrames) throw BadMessage("more than 1000 child frames");
-    if (child_frames_.empty() || child_frame == choice_.child_frame) child_frame_ = child_frame;
     child_frames_.emplace(child_frame, 1);
   }
-  return child_frame == (choice_.child_frame.empty() ? child_frame_ : choice_.child_frame);
+  if (child_frame_.empty()) child_frame_ = child_frame;
+  return child_frame == child_frame_;
 }
 
 void FlightBuilder::check_frame(std::string_view frame) {
@@ -114,6 +111,9 @@ void FlightBuilder::check_frame(std::string_view frame) {
 
 std::optional<std::size_t> FlightBuilder::add(const LoggedPose& pose) {
   std::vector<RecordedPose>& poses = flight_.poses;
+  if (!poses.empty() && pose.velocity.has_value() == flight_.velocities.empty()) {
+    throw BadMessage("of the messages some have a velocity, others none");
+  }
   if (!pose.position.allFinite()) {
     ++not_finite_count_;
     return std::nullopt;

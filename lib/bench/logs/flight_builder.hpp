@@ -15,7 +15,8 @@ namespace avoidbench {
 /// which topic and child frame is meant, which poses count, what is reported about them.
 class FlightBuilder {
  public:
-  explicit FlightBuilder(const RecordedFlightChoice& choice) : choice_(choice) {}
+  explicit FlightBuilder(const RecordedFlightChoice& choice)
+      : choice_(choice), child_frame_(choice.child_frame) {}
 
   // For logs with topics. Several connections or files may name the same topic.
 
@@ -51,6 +52,8 @@ class FlightBuilder {
 
   bool fits(const Topic& topic) const;
   bool is_preferred_to_chosen(const Topic& topic) const;
+  /// Forgets all poses: those of this topic are better.
+  void restart_with(std::size_t topic);
   std::string listed(bool only_fitting) const;
   [[noreturn]] void refuse(const std::string& message) const;
   void check_topic() const;
@@ -68,9 +71,8 @@ class FlightBuilder {
   std::vector<std::string> preferred_;
   std::optional<std::size_t> chosen_;  ///< the topic that is read
   std::map<std::string, std::int64_t, std::less<>> child_frames_;
-  std::string child_frame_;           ///< the one that is read
+  std::string child_frame_;           ///< the one that is read; "": not known yet
   std::optional<std::string> frame_;  ///< that poses are in
-  std::int64_t last_time_ns_ = 0;
   std::int64_t not_finite_count_ = 0, back_in_time_count_ = 0, unstamped_count_ = 0;
 };
 

@@ -14,8 +14,8 @@ constexpr std::uint64_t kMostMcapMessageBytes = std::uint64_t{1} << 20U;  // of 
 constexpr std::size_t kMostMcapNameBytes = 1024;
 
 namespace mcap_op {
-constexpr unsigned char kHeader = 1, kFooter = 2, kSchema = 3, kChannel = 4, kMessage = 5,
-                        kChunk = 6, kDataEnd = 15, kFirstPrivate = 128;
+constexpr unsigned char kFooter = 2, kSchema = 3, kChannel = 4, kMessage = 5, kChunk = 6,
+                        kDataEnd = 15, kFirstPrivate = 128;
 }
 
 struct McapRecord {

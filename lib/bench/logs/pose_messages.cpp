@@ -45,13 +45,19 @@ LoggedPose read_transform(MessageReader& message) {
   return pose;
 }
 
+/// A vector in the body's frame in the frame of the attitude; NaN where that is none.
+Eigen::Vector3d from_body(const Eigen::Quaterniond& q, const Eigen::Vector3d& v) {
+  if (!is_attitude(q)) return Eigen::Vector3d::Constant(LoggedPose::kNone);
+  return q.normalized() * v;
+}
+
 LoggedPose read_odometry(MessageReader& message) {
   LoggedPose pose = read_header(message);
   pose.child_frame = message.text();
   pose.position = read_vector(message);
   pose.q = read_ros_attitude(message);
   message.skip_doubles(36);
-  pose.velocity = pose.q.normalized() * read_vector(message);  // the message's is the body's
+  pose.velocity = from_body(pose.q, read_vector(message));
   message.skip_doubles(3 + 36);
   return pose;
 }
@@ -173,7 +179,7 @@ Eigen::Quaterniond enu_from_flu(const Eigen::Quaterniond& ned_from_frd) {
 }
 
 LoggedPose with_z_up(LoggedPose pose, bool is_frd, bool has_body_velocity) {
-  if (pose.velocity && has_body_velocity) pose.velocity = pose.q.normalized() * *pose.velocity;
+  if (pose.velocity && has_body_velocity) pose.velocity = from_body(pose.q, *pose.velocity);
   const auto turned = is_frd ? flu_from_frd : enu_from_ned;
   pose.position = turned(pose.position);
   if (pose.velocity) pose.velocity = turned(*pose.velocity);

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -43,6 +44,9 @@ struct LoggedPose {
   Eigen::Quaterniond q = {kNone, kNone, kNone, kNone};  ///< log frame from body
   std::optional<Eigen::Vector3d> velocity;              ///< m/s, in the log's frame
 };
+
+/// Whether it is a rotation but for rounding. Zeros and NaN are what programs write that know none.
+inline bool is_attitude(const Eigen::Quaterniond& q) { return std::abs(q.norm() - 1.0) < 0.1; }
 
 /// Calls `use` with each pose of a message. Throws BadMessage where it is not of that type.
 void read_pose_message(PoseMessage type, MessageReader message,

@@ -80,6 +80,10 @@ class TextPathReader {
         if (line->ends_with('\n') || flight_.poses().empty()) throw;
         throw CutOff{position};
       }
+      if (!line->ends_with('\n')) {
+        flight_.warn("the last line of " + in_.file().string() +
+                     " has no end: if the file is cut off there, poses are missing");
+      }
     }
   }
 
@@ -115,7 +119,7 @@ class TextPathReader {
     constexpr std::size_t kFirstOfAttitude = 4;
     if (names.size() < 8) return;
     const std::string_view name = names[kFirstOfAttitude];
-    if (name.find("q") != name.npos && name.find('w') == name.npos) {
+    if (name.find('q') != name.npos && name.find('w') == name.npos) {
       refuse_line("expected the attitude's w in column 5, got " + std::string(name.substr(0, 40)) +
                   ": columns are time in ns, x, y, z, qw, qx, qy, qz");
     }

@@ -253,9 +253,7 @@ class UlogReader {
     if (place == subscriptions_.end()) throw BadMessage("a message of a topic that is not known");
     Subscription& its = place->second;
     if (!its.is_first) return;
-    const std::string_view before = flight_.chosen_topic();
     const bool is_wanted = flight_.wants_message(its.index);
-    if (flight_.chosen_topic() != before) reset_count_ = 0;
     if (!its.fields) return;
     data.remove_prefix(2);
     if (is_wanted) {
@@ -269,8 +267,8 @@ class UlogReader {
   void add_attitude(const std::string& topic, const Attitude& attitude) {
     constexpr std::size_t kMostAttitudes = 2'000'000, kFewAttitudes = std::size_t{1} << 16U;
     std::vector<Attitude>& all = attitudes_[topic];
-    const bool is_good = std::abs(attitude.q.norm() - 1.0) < 0.1;
-    if (!is_good || (!all.empty() && attitude.time_ns <= all.back().time_ns)) return;
+    if (!is_attitude(attitude.q) || (!all.empty() && attitude.time_ns <= all.back().time_ns))
+      return;
     if (all.size() == kMostAttitudes) throw BadMessage("more than 2000000 attitudes");
     if (all.size() == kFewAttitudes) all.reserve(kMostAttitudes);  // as FlightBuilder::add() does
     all.push_back(attitude);
@@ -279,7 +277,7 @@ class UlogReader {
   void count_resets(std::string_view data, Subscription& its) {
     std::vector<double> counters;
     for (const UlogField& counter : its.fields->resets) counters.push_back(counter.in(data));
-    reset_count_ += !its.resets.empty() && its.resets != counters ? 1 : 0;
+    reset_counts_[its.topic] += !its.resets.empty() && its.resets != counters ? 1 : 0;
     its.resets = std::move(counters);
   }
 
@@ -291,8 +289,8 @@ class UlogReader {
         flight_.warn("the log has no " + attitude + ": the flight is without attitudes");
       }
     }
-    if (reset_count_ > 0) {
-      flight_.warn("the estimate jumped " + counted(reset_count_, "time") + " (" + topic +
+    if (const std::int64_t count = reset_counts_[topic]; count > 0) {
+      flight_.warn("the estimate jumped " + counted(count, "time") + " (" + topic +
                    " counts its resets): the path jumps there, too");
     }
     if (lost_count_ > 0) {
@@ -307,7 +305,8 @@ class UlogReader {
   std::map<std::uint16_t, Subscription> subscriptions_;
   std::map<std::string, std::vector<Attitude>> attitudes_;  ///< by topic
   std::uint64_t appended_position_ = 0;                     ///< 0: nothing was appended
-  std::int64_t lost_count_ = 0, lost_ms_ = 0, reset_count_ = 0;
+  std::int64_t lost_count_ = 0, lost_ms_ = 0;
+  std::map<std::string, std::int64_t> reset_counts_;  ///< of the estimate, by topic
 };
 
 }  // namespace
