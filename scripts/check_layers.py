@@ -32,6 +32,7 @@ THIRD_PARTIES = {
     "opencv2": "opencv2",
     "png.h": "png",
     "zlib.h": "zlib",
+    "zstd.h": "zstd",
     "sqlite3.h": "sqlite3",
     "yaml-cpp": "yaml-cpp",
     "nlohmann": "nlohmann",
