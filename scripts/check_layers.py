@@ -32,6 +32,7 @@ THIRD_PARTIES = {
     "opencv2": "opencv2",
     "png.h": "png",
     "zlib.h": "zlib",
+    "zstd.h": "zstd",
     "sqlite3.h": "sqlite3",
     "lz4frame.h": "lz4",
     "zstd.h": "zstd",

@@ -41,6 +41,9 @@ inline double silence_limit_s(double plan_timeout_s) { return plan_timeout_s + 2
 void write_report_files(const std::string& database, const std::string& report,
                         const std::string& page);
 
+/// Of `export`.
+void add_export_mcap_command(CLI::App& export_command);
+
 /// Of `maps`.
 void add_maps_list_command(CLI::App& maps);
 void add_maps_find_command(CLI::App& maps);

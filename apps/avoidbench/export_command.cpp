@@ -1,4 +1,3 @@
-#include <filesystem>
 #include <iostream>
 #include <optional>
 
@@ -10,6 +9,7 @@
 #include "export/export_legs.hpp"
 #include "export/export_trials.hpp"
 #include "export/trial_list.hpp"
+#include "export_choice.hpp"
 #include "output.hpp"
 #include "report/selection.hpp"
 
@@ -38,58 +38,18 @@ void write_trials(const ExportOptions& options) {
   if (output) output->close();
 }
 
-/// Whether the word names a database, not a trial.
-bool is_database(const std::string& word) {
-  std::error_code error;
-  const std::filesystem::path path = word;
-  return path.extension() == ".db" || path.extension() == ".yaml" || path.extension() == ".yml" ||
-         word.find('/') != std::string::npos || std::filesystem::exists(path, error) ||
-         std::filesystem::exists(std::filesystem::path("results") / (word + ".db"), error);
-}
-
-/// The database and the trials that "[DB] TRIAL…" mean.
-std::pair<Database, std::vector<TrialListing>> chosen(const std::vector<std::string>& words) {
-  const bool has_database = is_database(words.front());
-  if (has_database && words.size() == 1) {
-    throw OptionError("no trial given: an id or the beginning of a key", "", "list");
-  }
-  Database database = Database::open_for_reading(has_database ? database_of(words.front())
-                                                              : newest_database("trials"));
-  const std::vector<TrialListing> all = database.list_trials(listed_fields(database));
-  std::vector<TrialListing> trials;
-  for (std::size_t i = has_database ? 1 : 0; i < words.size(); ++i) {
-    trials.push_back(the_trial(all, {.trial = words[i]}));
-  }
-  return {std::move(database), std::move(trials)};
-}
-
 /// Writes `text_of` each chosen trial: one to the output, several as files of a folder.
 template <class TextOf>
 void write_each(const ExportOptions& options, const std::string& extension, TextOf text_of) {
-  constexpr std::size_t kKeyLetters = 12;
-  const auto [database, trials] = chosen(options.words);
-  std::error_code error;
-  const bool is_one = trials.size() == 1 && !options.output.ends_with('/') &&
-                      !std::filesystem::is_directory(options.output, error);
-  if (is_one) check_output(options.output, extension);
-  if (!is_one && options.output == "-") {
-    throw InputError("several trials need --output FOLDER: one file each is written there");
-  }
-  const std::filesystem::path folder = is_one ? "" : made_folder(options.output);
-  for (const TrialListing& trial : trials) {
-    const std::optional<TrialRow> row = database.read_trial(trial.key);
-    if (!row) continue;
-    if (row->record.samples.empty()) {
-      std::cerr << "warning: trial " << trial.id << " (" << trial.key.substr(0, kKeyLetters)
-                << ") has no trajectory: " << text(trial.outcome) << '\n';
-    }
-    const std::string file =
-        is_one ? options.output
-               : (folder / (safe_file_name(trial.key.substr(0, kKeyLetters)) + "." + extension))
-                     .string();
-    write_text(text_of(row->record), file);
-    if (!is_one) std::cerr << "wrote " << file << ": " << trial_text(trial) << '\n';
-  }
+  const auto chosen = chosen_of(options.words);
+  const Database& database = chosen.first;
+  write_files(chosen.second, options.output, extension,
+              [&](const TrialListing& trial, const std::string& file) {
+                const std::optional<TrialRow> row = database.read_trial(trial.key);
+                if (!row) throw InputError("trial " + trial.key + " is gone");
+                warn_of_no_path(trial, row->record);
+                write_text(text_of(row->record), file);
+              });
 }
 
 void write_trajectories(const ExportOptions& options) {
@@ -110,7 +70,7 @@ void write_legs(const ExportOptions& options) {
   std::optional<Database> database;
   std::vector<TrialListing> trials;
   if (has_trials) {
-    auto [opened, listed] = chosen(options.words);
+    auto [opened, listed] = chosen_of(options.words);
     database.emplace(std::move(opened));
     trials = std::move(listed);
   } else {
@@ -191,12 +151,13 @@ void add_legs(CLI::App& app) {
 
 void add_export_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
-      "export", "Results for other programs: flat tables, flown paths, planner calls, legs");
+      "export", "Results for other programs: flat tables, flown paths, planner calls, legs, MCAP");
   command->require_subcommand(0, 1);
   add_trials(*command);
   add_trajectory(*command);
   add_calls(*command);
   add_legs(*command);
+  add_export_mcap_command(*command);
 }
 
 }  // namespace avoidbench

@@ -38,7 +38,8 @@ constexpr std::pair<std::string_view, std::string_view> kEndings[] = {
     {".pdf", "pdf"},   {".svg", "svg"},     {".mp4", "mp4"},   {".webm", "webm"},
     {".avi", "avi"},   {".csv", "csv"},     {".json", "json"}, {".jsonl", "jsonl"},
     {".tex", "latex"}, {".md", "markdown"}, {".db", "sqlite"}, {".xlsx", "xlsx"},
-    {".yml", "yaml"},  {".yaml", "yaml"},   {".tum", "tum"},   {".html", "html"}};
+    {".yml", "yaml"},  {".yaml", "yaml"},   {".tum", "tum"},   {".html", "html"},
+    {".mcap", "mcap"}};
 
 void check_ending(const std::filesystem::path& file, std::string_view format) {
   std::string ending = file.extension().string();

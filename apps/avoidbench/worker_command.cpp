@@ -2,6 +2,7 @@
 #include "base/number_text.hpp"
 #include "command_options.hpp"
 #include "commands.hpp"
+#include "export/flown_piece.hpp"
 #include "page/flight_recording.hpp"
 #include "replay/explained_trial.hpp"
 #include "sweep/allowance.hpp"
@@ -12,8 +13,9 @@ namespace avoidbench {
 void add_worker_command(CLI::App& app) {
   const auto [command, options] = add_command<WorkerOptions>(
       app, "worker", "Flies trials for a parent process", [](const WorkerOptions& told) {
-        const int code = run_worker(
-            told, {{kCauseLookout, cause_lookout}, {kRecordingLookout, recording_lookout}});
+        const int code = run_worker(told, {{kCauseLookout, cause_lookout},
+                                           {kRecordingLookout, recording_lookout},
+                                           {kPiecesLookout, pieces_lookout}});
         if (code != 0) throw CLI::RuntimeError(code);
       });
   command.group("");  // started by `run` only

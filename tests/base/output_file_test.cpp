@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "base/input_error.hpp"
+#include "base/input_file.hpp"
 #include "support/input_error_message.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -33,6 +34,30 @@ TEST_F(OutputFile, IsNoPartOfADatabase) {
   }
   EXPECT_EQ(refusal("x.db-walnut"), "");
   EXPECT_EQ(refusal("y.db-wal"), "");  // of no database
+}
+
+/// Until it is finished the former file is there; of an unfinished one nothing stays.
+TEST_F(OutputFile, IsThereOnceItIsWhole) {
+  const std::filesystem::path file = folder.write("w.txt", "before");
+  {
+    WholeFile whole(file);
+    whole.stream() << "half";
+    EXPECT_EQ(read_input_file(file, 100), "before");
+  }
+  EXPECT_EQ(read_input_file(file, 100), "before");
+  {
+    WholeFile whole(file);
+    whole.stream() << "wrong";
+    whole.restart();
+    whole.stream() << "all";
+    whole.check();
+    whole.finish();
+    EXPECT_EQ(read_input_file(file, 100), "all");
+  }
+  EXPECT_EQ(read_input_file(file, 100), "all");
+  EXPECT_FALSE(std::filesystem::exists(file.string() + ".part"));
+  folder.write("y.db", "SQLite format 3");
+  EXPECT_THROW(WholeFile(folder / "y.db"), InputError);
 }
 
 TEST_F(OutputFile, HasItsFolder) {

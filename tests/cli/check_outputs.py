@@ -31,6 +31,7 @@ COMMANDS = {
     "explain": [("explain db.db @", {"--output": "v.sqlite"}), ("explain db.db 1 @", {"--png": "v.png"})],
     "export legs": [("export legs db.db 1 @", {"--output": "v.csv"})],
     "export calls": [("export calls db.db 1 @", {"--output": "v.csv"})],
+    "export mcap": [("export mcap db.db 1 @", {"--output": "v.mcap"})],
     "export trajectory": [("export trajectory db.db 1 @", {"--output": "v.csv"})],
     "export trials": [("export trials db.db @", {"--output": "v.csv"})],
     "limit": [

@@ -73,6 +73,33 @@ TEST(MessageInbox, RefusesWhatFollowsAMessage) {
   EXPECT_EQ(expecting().add(bytes), State::malformed);
 }
 
+/// Half of the third comes with the second.
+TEST(MessageInbox, TakesOneAfterTheOtherWhereMoreAreExpected) {
+  std::vector<std::byte> bytes;
+  for (int i = 0; i < 3; ++i) {
+    const auto one = message_bytes({.json = {{"i", i}}, .bytes = {std::byte{9}}});
+    bytes.insert(bytes.end(), one.begin(), one.end());
+  }
+  const std::size_t half = bytes.size() * 5 / 6;
+  MessageInbox inbox;
+  inbox.expect(kMostBytes, true);
+  EXPECT_EQ(inbox.add(std::span(bytes).first(half)), State::whole);
+  EXPECT_EQ(inbox.take()->json.at("i"), 0);
+  EXPECT_EQ(inbox.state(), State::whole);
+  EXPECT_EQ(inbox.take()->json.at("i"), 1);
+  EXPECT_EQ(inbox.state(), State::incomplete);
+  EXPECT_EQ(inbox.add(std::span(bytes).subspan(half)), State::whole);
+  EXPECT_EQ(inbox.take()->json.at("i"), 2);
+  EXPECT_EQ(inbox.state(), State::incomplete);
+  EXPECT_EQ(inbox.size(), 0U);
+  // Rubbish after a message is none.
+  bytes.resize(bytes.size() / 3);
+  bytes.insert(bytes.end(), 30, std::byte{1});
+  EXPECT_EQ(inbox.add(bytes), State::whole);
+  EXPECT_TRUE(inbox.take());
+  EXPECT_EQ(inbox.state(), State::malformed);
+}
+
 TEST(MessageInbox, TextThatIsNoObjectIsNoMessage) {
   MessageInbox inbox = expecting();
   ASSERT_EQ(inbox.add(message_bytes({.json = "text", .bytes = {}})), State::whole);

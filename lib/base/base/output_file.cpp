@@ -6,6 +6,7 @@
 #include <cstring>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "base/digest.hpp"
 #include "base/input_error.hpp"
@@ -85,6 +86,34 @@ std::ofstream open_output(const std::filesystem::path& file) {
 void close_output(std::ofstream& stream, const std::filesystem::path& file) {
   stream.close();
   if (!stream) refuse_file(file, "writing failed; is the disk full?");
+}
+
+WholeFile::WholeFile(std::filesystem::path file)
+    : file_(std::move(file)), part_(file_.string() + ".part") {
+  check_output_file(file_);
+  restart();
+}
+
+WholeFile::~WholeFile() {
+  stream_.close();
+  std::error_code error;
+  std::filesystem::remove(part_, error);
+}
+
+void WholeFile::restart() {
+  stream_.close();
+  stream_ = open_output(part_);
+}
+
+void WholeFile::check() const {
+  if (!stream_) refuse_file(file_, "writing failed; is the disk full?");
+}
+
+void WholeFile::finish() {
+  close_output(stream_, file_);
+  std::error_code error;
+  std::filesystem::rename(part_, file_, error);
+  if (error) refuse(file_, error.message());
 }
 
 }  // namespace avoidbench

@@ -26,4 +26,28 @@ std::ofstream open_output(const std::filesystem::path& file);
 /// is still in the buffer.
 void close_output(std::ofstream& stream, const std::filesystem::path& file);
 
+/// A large file that is there only once it is whole: it is written beside its place, as FILE.part,
+/// and moved there at the end. Whoever looks sees the former file, or all of the new one.
+class WholeFile {
+ public:
+  /// Throws InputError as check_output_file().
+  explicit WholeFile(std::filesystem::path file);
+  /// Removes what is not finished.
+  ~WholeFile();
+  WholeFile(const WholeFile&) = delete;
+  WholeFile& operator=(const WholeFile&) = delete;
+
+  /// Forgets what was written.
+  void restart();
+  std::ofstream& stream() { return stream_; }
+  /// Throws InputError where not all could be written so far.
+  void check() const;
+  /// Puts it in its place. Throws InputError as close_output().
+  void finish();
+
+ private:
+  std::filesystem::path file_, part_;
+  std::ofstream stream_;
+};
+
 }  // namespace avoidbench

@@ -123,14 +123,15 @@ class Fleet {
     if (!may_stay || job.rules != seat.rules) end_process(seat);
     const Message message = job_message(job.job);
     const std::size_t most_bytes = most_result_bytes(job.job);
+    const bool has_pieces = job.job.lookout && job.job.lookout->has_pieces;
     // A worker may have ended after its last answer, through what its planner left there. That is
     // no fault of this job's: it gets a new process. If that one takes no job either, somebody has
     // killed it, or workers can't be started at all.
-    bool is_sent = seat.process && seat.process->send(message, most_bytes);
+    bool is_sent = seat.process && seat.process->send(message, most_bytes, has_pieces);
     if (!is_sent) {
       end_process(seat);
       start_process(seat, job);
-      is_sent = seat.process->send(message, most_bytes);
+      is_sent = seat.process->send(message, most_bytes, has_pieces);
     }
     const ProcessEnd end = is_sent ? ProcessEnd{} : seat.process->wait();
     if (!is_sent && end.signal == 0) {
@@ -180,9 +181,16 @@ class Fleet {
     take_death(seat, death_of(end, seat.process->notes(), seat.task->job.job.spec.planner));
   }
 
+  /// Whether it was one.
+  static bool take_piece(Seat& seat, const std::optional<Message>& message) {
+    if (!message || !is_piece_of(*message, seat.task->job.job)) return false;
+    seat.task->quiet_s = 0.0;
+    if (seat.task->job.on_piece) seat.task->job.on_piece(*message);
+    return true;
+  }
+
   /// An answer that can't be read counts as the worker's death.
-  void take_answer(Seat& seat) {
-    const auto message = seat.process->answer();
+  void take_answer(Seat& seat, const std::optional<Message>& message) {
     auto result = message ? result_from(*message, seat.task->job.job) : std::nullopt;
     if (!result) return take_death(seat, broken_pipes());
     // A planner's bad_alloc is a crash like others. Without a planner it is the caller's problem.
@@ -199,13 +207,18 @@ class Fleet {
     const bool has_ended = process.has_ended();
     const bool can_send = !process.has_more_to_send() || process.send_more();
     const std::size_t known_bytes = process.answer_bytes();
-    switch (process.receive()) {
-      case WorkerProcess::Answer::whole:
-        return take_answer(seat);
+    WorkerProcess::Answer answer = process.receive();
+    while (answer == WorkerProcess::Answer::whole) {
+      const std::optional<Message> message = process.answer();
+      if (!take_piece(seat, message)) return take_answer(seat, message);
+      answer = process.receive();
+    }
+    switch (answer) {
       case WorkerProcess::Answer::malformed:
         return take_death(seat, broken_pipes());
       case WorkerProcess::Answer::gone:
         return take_failure(seat);
+      case WorkerProcess::Answer::whole:
       case WorkerProcess::Answer::incomplete:
         break;
     }

@@ -32,6 +32,9 @@ struct FleetJob {
   std::string planner_label = {};  ///< whose code it runs; "": nobody's
   SandboxRules rules = {};         ///< what the planner needs
   bool needs_new_process = false;  ///< where its planner ran before: see AB_USES_GLOBALS
+  /// Where its lookout has pieces: gets each as it comes. A flight that is begun again begins with
+  /// its first piece again.
+  std::function<void(const Message&)> on_piece = {};
 };
 
 /// How a job ended: exactly one of the first three is set.

@@ -91,6 +91,7 @@ void visit(Visitor& v, L& l) {
   v.field("wanted", l.wanted.json);
   v.field("most_bytes", l.most_bytes);
   v.field("has_flight", l.has_flight);
+  v.field("has_pieces", l.has_pieces);
 }
 
 template <class Visitor, ConstOr<Job> J>
@@ -175,6 +176,16 @@ JobResult parsed(const Message& message) {
 }
 
 }  // namespace
+
+Message piece_message(const std::string& token, Message piece) {
+  piece.json["piece_of"] = token;
+  return piece;
+}
+
+bool is_piece_of(const Message& message, const Job& job) {
+  const auto of = message.json.find("piece_of");
+  return job.lookout && job.lookout->has_pieces && of != message.json.end() && *of == job.token;
+}
 
 Message record_message(const TrialRecord& record) {
   return {.json = trial_json(record), .bytes = sample_bytes(record.samples)};

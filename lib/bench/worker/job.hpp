@@ -19,6 +19,7 @@ struct LookoutJob {
   Message wanted;              ///< what it needs to know
   std::size_t most_bytes = 0;  ///< that it reports
   bool has_flight = true;      ///< false: it looks at the map alone, and no planner is flown
+  bool has_pieces = false;     ///< it also reports during the flight: see Lookout::take_piece
 };
 
 /// Measure a map and lay out its missions, or, with a mission, fly one trial.
@@ -55,12 +56,17 @@ Message result_message(const JobResult& result);
 /// another type or of another size than asked for.
 std::optional<JobResult> result_from(const Message& message, const Job& job);
 
+/// What a lookout reports during the flight, marked so that it is taken for no answer.
+Message piece_message(const std::string& token, Message piece);
+/// Whether it is a piece of this job, not its answer.
+bool is_piece_of(const Message& message, const Job& job);
+
 /// A flight's record as a message, bit for bit.
 Message record_message(const TrialRecord& record);
 /// Throws InputError or nlohmann's exceptions where the message is none.
 TrialRecord record_from(const Message& message);
 
-/// No answer to this job is longer.
+/// No answer to this job, and no piece of it, is longer.
 std::size_t most_result_bytes(const Job& job);
 
 /// 32 digits from the system's random numbers: a token, no part of any result.

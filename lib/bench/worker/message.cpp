@@ -88,13 +88,18 @@ std::optional<Message> receive_message(int fd) {
   return message_of(header, body);
 }
 
-void MessageInbox::expect(std::size_t most_bytes) {
+void MessageInbox::expect(std::size_t most_bytes, bool has_more) {
   bytes_.clear();
   most_bytes_ = most_bytes;
+  has_more_ = has_more;
 }
 
 MessageInbox::State MessageInbox::add(std::span<const std::byte> bytes) {
   bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
+  return state();
+}
+
+MessageInbox::State MessageInbox::state() const {
   Header header;
   const std::size_t known = std::min(bytes_.size(), sizeof header);
   std::memcpy(&header, bytes_.data(), known);
@@ -105,14 +110,19 @@ MessageInbox::State MessageInbox::add(std::span<const std::byte> bytes) {
   }
   if (!header.is_sound() || header.message_bytes() > most_bytes_) return State::malformed;
   if (bytes_.size() < header.message_bytes()) return State::incomplete;
-  // More than the message has came after it: a worker sends one answer a job, so that is no answer.
-  return bytes_.size() == header.message_bytes() ? State::whole : State::malformed;
+  // More came than the message has: where a worker sends nothing but its answer, that is none.
+  const bool is_alone = bytes_.size() == header.message_bytes();
+  return is_alone || has_more_ ? State::whole : State::malformed;
 }
 
 std::optional<Message> MessageInbox::take() {
   Header header;
   std::memcpy(&header, bytes_.data(), sizeof header);
-  return message_of(header, std::span(bytes_).subspan(sizeof header));
+  const auto size = static_cast<std::ptrdiff_t>(header.message_bytes());
+  std::optional<Message> message =
+      message_of(header, std::span(bytes_).first(header.message_bytes()).subspan(sizeof header));
+  bytes_.erase(bytes_.begin(), bytes_.begin() + size);
+  return message;
 }
 
 }  // namespace avoidbench

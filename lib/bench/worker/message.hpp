@@ -31,17 +31,20 @@ class MessageInbox {
  public:
   enum class State { incomplete, whole, malformed };
 
-  /// Forgets what came; the next message has at most this many bytes.
-  void expect(std::size_t most_bytes);
-  /// Malformed: no message, a longer one, or more than one.
+  /// Forgets what came; the next message has at most this many bytes. `has_more`: others, of as
+  /// many bytes at most, may come after it.
+  void expect(std::size_t most_bytes, bool has_more = false);
+  /// Malformed: no message, a longer one, or more than one where that is not expected.
   State add(std::span<const std::byte> bytes);
-  std::size_t size() const { return bytes_.size(); }  ///< bytes that came
-  /// The message that is whole; nothing where its text is no JSON object.
+  State state() const;
+  std::size_t size() const { return bytes_.size(); }  ///< bytes that came and were not taken
+  /// Takes out the message that is whole; nothing where its text is no JSON object.
   std::optional<Message> take();
 
  private:
   std::vector<std::byte> bytes_;
   std::size_t most_bytes_ = 0;
+  bool has_more_ = false;
 };
 
 }  // namespace avoidbench

@@ -142,13 +142,15 @@ struct Worker::Internals {
   std::optional<FlightJournal> journal;
   std::optional<PrintTrimmer> trimmer;
   LookoutMakers lookouts;
+  std::function<void(const Message&)> send;
 
   const MapScene& map_of(const TrialSpec& spec);
   PlannerInstance& instance_of(const TrialSpec& spec, const PluginChoice& plugin);
   Pilot pilot_of(const TrialSpec& spec);
   TrialRecord fly(const Job& job, const Scene& scene, const World& flown_world,
                   std::optional<Lookout>& lookout);
-  TrialObserver bookkeeper(const Lookout* lookout);
+  TrialObserver bookkeeper(const Job& job, const Lookout* lookout);
+  void send_piece(const Job& job, const Lookout& lookout);
   std::optional<Lookout> lookout_of(const Job& job, const World& world);
 };
 
@@ -213,7 +215,7 @@ TrialRecord Worker::Internals::fly(const Job& job, const Scene& scene, const Wor
   }
   const auto flown = [&] {
     return run_trial(job.spec, scene, job.mission->mission, pilot,
-                     bookkeeper(lookout ? &*lookout : nullptr), recorded_s, job.change);
+                     bookkeeper(job, lookout ? &*lookout : nullptr), recorded_s, job.change);
   };
   TrialRecord record = flown();
   const auto is_killed = [&] {
@@ -231,9 +233,27 @@ TrialRecord Worker::Internals::fly(const Job& job, const Scene& scene, const Wor
   return record;
 }
 
-TrialObserver Worker::Internals::bookkeeper(const Lookout* lookout) {
+void Worker::Internals::send_piece(const Job& job, const Lookout& lookout) {
+  if (std::optional<Message> piece = lookout.take_piece()) {
+    send(piece_message(job.token, std::move(*piece)));
+  }
+}
+
+TrialObserver Worker::Internals::bookkeeper(const Job& job, const Lookout* lookout) {
   TrialObserver observer;
   if (lookout != nullptr) observer = lookout->observer;
+  if (lookout != nullptr && lookout->take_piece && send) {
+    observer.planning = [this, &job, lookout,
+                         asked = observer.planning](const PlanCallAhead& call) {
+      const bool goes_on = !asked || asked(call);
+      send_piece(job, *lookout);
+      return goes_on;
+    };
+    observer.planned = [this, &job, lookout, told = observer.planned](const PlanStep& step) {
+      if (told) told(step);
+      send_piece(job, *lookout);
+    };
+  }
   if (!journal && !trimmer) return observer;
   // Before each call: what a dead worker leaves is then all up to the call that it died in.
   observer.planning = [this, asked = observer.planning](const PlanCallAhead& call) {
@@ -286,6 +306,10 @@ JobResult Worker::work(const Job& job) {
 void Worker::keep_journal(FlightJournal journal) { internals_->journal = std::move(journal); }
 
 void Worker::trim_prints() { internals_->trimmer.emplace(STDOUT_FILENO); }
+
+void Worker::send_pieces(std::function<void(const Message&)> send) {
+  internals_->send = std::move(send);
+}
 
 void Worker::watch(const WorkerOptions& options) {
   const CallClock* clock = &internals_->clock;
@@ -344,14 +368,21 @@ int run_worker(const WorkerOptions& options, LookoutMakers lookouts) {
   worker.watch(options);
   // No planner was loaded until now: the end of a worker that did not say so is no planner's doing.
   (void)!::write(options.notes_fd, "", 1);
-  // Until the parent closes the pipe of jobs.
-  while (const auto message = receive_message(options.in_fd)) {
-    const JobResult result = worker.work(job_from(*message));
+  const auto is_own = [&] {
     // A child that a planner forked and that went on as if it were its parent: it has no say.
     if (::getpid() != self) ::_exit(kPipesExitCode);
     // A planner may have closed them, and opened files of its own that took their numbers.
+    return results.is_still(options.out_fd) && jobs.is_still(options.in_fd);
+  };
+  worker.send_pieces([&](const Message& piece) {
+    if (!is_own()) ::_exit(kPipesExitCode);
+    if (!send_message(options.out_fd, piece)) ::_exit(1);
+  });
+  // Until the parent closes the pipe of jobs.
+  while (const auto message = receive_message(options.in_fd)) {
+    const JobResult result = worker.work(job_from(*message));
     std::fflush(stdout);
-    if (!results.is_still(options.out_fd) || !jobs.is_still(options.in_fd)) return kPipesExitCode;
+    if (!is_own()) return kPipesExitCode;
     if (!send_message(options.out_fd, result_message(result))) return 1;
   }
   return 0;

@@ -3,6 +3,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,10 @@ struct Lookout {
   bool wants_drawings = false;
   /// Where set: gets what the planner logged before its first and after its last call.
   std::function<void(const std::vector<std::string>&)> logged = {};
+  /// Where set: asked before and after each call of the planner for what it has seen since; sent at
+  /// once, so that no memory has to hold a whole flight. A flight that is begun again begins with a
+  /// new lookout.
+  std::function<std::optional<Message>()> take_piece = {};
   /// What it has seen, after the flight; null where there was none.
   std::function<Message(const TrialRecord*)> report;
 };
@@ -59,6 +64,8 @@ class Worker {
   void keep_journal(FlightJournal journal);
   /// From now on what planners print is kept short, between their calls.
   void trim_prints();
+  /// From now on pieces of lookouts go there; without it they go nowhere.
+  void send_pieces(std::function<void(const Message&)> send);
 
   /// Starts a thread that ends the process with one of the exit codes above where it must, and that
   /// says that it lives.

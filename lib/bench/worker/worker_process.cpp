@@ -178,10 +178,10 @@ WorkerProcess& WorkerProcess::operator=(WorkerProcess&& other) noexcept {
   return *this;
 }
 
-bool WorkerProcess::send(const Message& job, std::size_t most_answer_bytes) {
+bool WorkerProcess::send(const Message& job, std::size_t most_answer_bytes, bool has_pieces) {
   prints_.restart();
   unsent_ = message_bytes(job);
-  inbox_.expect(most_answer_bytes);
+  inbox_.expect(most_answer_bytes, has_pieces);
   return send_more();
 }
 
@@ -201,21 +201,16 @@ bool WorkerProcess::send_more() {
 
 WorkerProcess::Answer WorkerProcess::receive() {
   std::array<std::byte, 65536> bytes;
+  MessageInbox::State state = inbox_.state();  // after a piece, what came with it
   // All that is there now.
-  while (true) {
+  while (state == MessageInbox::State::incomplete) {
     const ssize_t got = ::read(result_fd_, bytes.data(), bytes.size());
     if (got < 0 && errno == EINTR) continue;
     if (got < 0 && errno == EAGAIN) return Answer::incomplete;
     if (got <= 0) return Answer::gone;
-    switch (inbox_.add(std::span(bytes).first(static_cast<std::size_t>(got)))) {
-      case MessageInbox::State::whole:
-        return Answer::whole;
-      case MessageInbox::State::malformed:
-        return Answer::malformed;
-      case MessageInbox::State::incomplete:
-        break;
-    }
+    state = inbox_.add(std::span(bytes).first(static_cast<std::size_t>(got)));
   }
+  return state == MessageInbox::State::whole ? Answer::whole : Answer::malformed;
 }
 
 bool WorkerProcess::listen() {

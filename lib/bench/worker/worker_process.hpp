@@ -38,17 +38,18 @@ class WorkerProcess {
 
   pid_t pid() const { return pid_; }
 
-  /// Begins to send a job, whose answer has at most so many bytes; never waits. False: it is gone.
-  bool send(const Message& job, std::size_t most_answer_bytes);
+  /// Begins to send a job, whose answer has at most so many bytes; never waits. `has_pieces`: other
+  /// messages, each of as many bytes at most, come before the answer. False: it is gone.
+  bool send(const Message& job, std::size_t most_answer_bytes, bool has_pieces = false);
   /// Sends more of the job. False: it is gone.
   bool send_more();
   bool has_more_to_send() const { return !unsent_.empty(); }
 
   /// What has come of an answer.
   enum class Answer { incomplete, whole, malformed, gone };
-  /// Takes what there is; never waits.
+  /// Takes what there is; never waits. Whole: answer() has it, a piece or the answer.
   Answer receive();
-  /// The whole answer; nothing where its text is no JSON object.
+  /// Takes out the whole answer; nothing where its text is no JSON object.
   std::optional<Message> answer() { return inbox_.take(); }
   /// How much of an answer has come.
   std::size_t answer_bytes() const { return inbox_.size(); }

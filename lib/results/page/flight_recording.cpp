@@ -1,17 +1,14 @@
 #include "page/flight_recording.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstring>
 #include <memory>
-#include <span>
-#include <type_traits>
 #include <utility>
 
 #include "base/input_error.hpp"
 #include "base/spec_json.hpp"
 #include "page/flight_page.hpp"
+#include "worker/byte_transfer.hpp"
 
 namespace avoidbench {
 
@@ -25,132 +22,18 @@ void visit(Visitor& v, W& w) {
   v.field("most_calls", w.most_calls);
 }
 
-namespace {
-
-/// More lines of a log than these, by their bytes, are left out.
-constexpr std::size_t kMostLogBytes = std::size_t{32} << 20U;
-
-template <class T>
-concept Plain = std::is_trivially_copyable_v<T> && !std::is_pointer_v<T>;
-
-/// Writes one after the other what a Reader takes in the same order.
-class Writer {
- public:
-  template <Plain T>
-  void operator()(const T& value) {
-    const auto bytes = std::as_bytes(std::span(&value, 1));
-    bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
-  }
-  template <Plain T>
-  void operator()(const std::vector<T>& values) {
-    (*this)(values.size());
-    const auto bytes = std::as_bytes(std::span(values));
-    bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
-  }
-  void operator()(const std::string& text) { (*this)(std::vector(text.begin(), text.end())); }
-  void operator()(const Eigen::Vector3d& v) { (*this)(std::array{v.x(), v.y(), v.z()}); }
-  template <class T>
-  requires(!Plain<T>) void operator()(const std::vector<T>& values) {
-    (*this)(values.size());
-    for (const T& value : values) transfer(*this, value);
-  }
-  std::vector<std::byte> take() { return std::move(bytes_); }
-
- private:
-  std::vector<std::byte> bytes_;
-};
-
-class Reader {
- public:
-  explicit Reader(std::span<const std::byte> bytes) : bytes_(bytes) {}
-  template <Plain T>
-  void operator()(T& value) {
-    std::memcpy(&value, taken(sizeof value).data(), sizeof value);
-  }
-  template <Plain T>
-  void operator()(std::vector<T>& values) {
-    const std::span<const std::byte> bytes = taken(count(sizeof(T)) * sizeof(T));
-    values.resize(bytes.size() / sizeof(T));
-    if (!bytes.empty()) std::memcpy(values.data(), bytes.data(), bytes.size());
-  }
-  void operator()(std::string& text) {
-    std::vector<char> letters;
-    (*this)(letters);
-    text.assign(letters.begin(), letters.end());
-  }
-  void operator()(Eigen::Vector3d& v) {
-    std::array<double, 3> xyz{};
-    (*this)(xyz);
-    v = {xyz[0], xyz[1], xyz[2]};
-    require(v.allFinite());
-  }
-  template <class T>
-  requires(!Plain<T>) void operator()(std::vector<T>& values) {
-    const std::size_t size = count(1);  // each takes at least a byte
-    for (std::size_t i = 0; i < size; ++i) transfer(*this, values.emplace_back());
-  }
-  void finish() const { require(bytes_.empty()); }
-  static void require(bool makes_sense) {
-    if (!makes_sense) throw InputError("what the worker recorded makes no sense");
-  }
-
- private:
-  std::size_t count(std::size_t element_bytes) {
-    std::size_t number = 0;
-    (*this)(number);
-    require(number <= bytes_.size() / element_bytes);
-    return number;
-  }
-  std::span<const std::byte> taken(std::size_t size) {
-    require(size <= bytes_.size());
-    const std::span<const std::byte> first = bytes_.first(size);
-    bytes_ = bytes_.subspan(size);
-    return first;
-  }
-
-  std::span<const std::byte> bytes_;
-};
-
-template <class Io, class... Parts>
-void all(Io& io, Parts&... parts) {
-  (io(parts), ...);
-}
-
-/// An enum whose last value is `last`.
-template <class Enum>
-void transfer_enum(Writer& writer, Enum value, Enum) {
-  writer(value);
-}
-template <class Enum>
-void transfer_enum(Reader& reader, Enum& value, Enum last) {
-  std::underlying_type_t<Enum> number{};
-  reader(number);
-  Reader::require(number >= 0 && number <= static_cast<std::underlying_type_t<Enum>>(last));
-  value = static_cast<Enum>(number);
-}
-
-/// An address of the worker's is none here.
-void transfer_command(Writer& writer, ab_command command) {
-  command.points = nullptr;
-  writer(command);
-}
-void transfer_command(Reader& reader, ab_command& command) {
-  reader(command);
-  command.points = nullptr;
-}
-
-void check(const Writer&, const SeenImage&) {}
-void check(const Reader&, const SeenImage& image) {
+void check(const ByteWriter&, const SeenImage&) {}
+void check(const ByteReader&, const SeenImage& image) {
   constexpr int kMostPixels = 1 << 16;
   const bool is_sized = image.width_px >= 0 && image.width_px <= kMostPixels &&
                         image.height_px >= 0 && image.height_px <= kMostPixels;
-  Reader::require(is_sized);
+  ByteReader::require(is_sized);
   const auto pixels =
       static_cast<std::size_t>(image.width_px) * static_cast<std::size_t>(image.height_px);
   const bool is_depth = image.depth_m.size() == pixels && image.bytes.empty();
   const bool is_light =
       image.depth_m.empty() && (image.bytes.size() == pixels || image.bytes.size() == 3 * pixels);
-  Reader::require(is_depth || is_light);
+  ByteReader::require(is_depth || is_light);
 }
 
 template <class Io, ConstOr<Eigen::Vector3d> T>
@@ -196,6 +79,11 @@ void transfer(Io& io, T& moment) {
   all(io, moment.result.points, moment.result.cpu_time_s, moment.drawings, moment.images);
 }
 
+namespace {
+
+/// More lines of a log than these, by their bytes, are left out.
+constexpr std::size_t kMostLogBytes = std::size_t{32} << 20U;
+
 /// The recorders of one flight.
 // NOLINTNEXTLINE(bugprone-exception-escape): nlohmann::json says it of its own members
 struct Recorders {
@@ -225,7 +113,7 @@ struct Recorders {
 
   Message report(const TrialRecord& flown) {
     if (moments) recording.moments = moments->finish(flown.end_time_s);
-    Writer writer;
+    ByteWriter writer;
     writer(recording.log);
     writer(recording.calls);
     writer(recording.moments);
@@ -284,7 +172,7 @@ LookoutJob recording_job(RecordingWanted wanted, const TrialSpec& spec) {
 }
 
 FlightRecording recording_from(const Message& reported) {
-  Reader reader(reported.bytes);
+  ByteReader reader(reported.bytes);
   FlightRecording recording;
   std::string seen;
   reader(recording.log);
@@ -293,7 +181,7 @@ FlightRecording recording_from(const Message& reported) {
   reader(seen);
   reader.finish();
   recording.seen = nlohmann::ordered_json::parse(seen, nullptr, false);
-  Reader::require(!recording.seen.is_discarded());
+  ByteReader::require(!recording.seen.is_discarded());
   return recording;
 }
 

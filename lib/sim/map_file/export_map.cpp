@@ -15,25 +15,13 @@
 #include "base/input_error.hpp"
 #include "base/npy_header.hpp"
 #include "base/output_file.hpp"
+#include "map_file/material_looks.hpp"
 
 namespace avoidbench {
 namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-
-constexpr std::size_t kMaterials = 7;
-/// In order of Material.
-constexpr std::array<const char*, kMaterials> kMaterialNames{
-    "soil", "bark", "leaf", "brick", "concrete", "painted_metal", "lamp"};
-/// Linear RGB, as glTF wants it.
-constexpr std::array<std::array<float, 3>, kMaterials> kMaterialColours{{{0.36F, 0.27F, 0.18F},
-                                                                         {0.32F, 0.24F, 0.17F},
-                                                                         {0.22F, 0.40F, 0.14F},
-                                                                         {0.55F, 0.28F, 0.20F},
-                                                                         {0.60F, 0.60F, 0.58F},
-                                                                         {0.75F, 0.72F, 0.20F},
-                                                                         {1.00F, 0.98F, 0.92F}}};
 
 /// Triangles of one material.
 struct Part {
