@@ -69,7 +69,7 @@ TEST(FlightMessages, DepthPointsAreWhereTheCameraSawThem) {
 TEST(FlightMessages, TheRightEyeIsABaselineAway) {
   const CameraSetup camera{
       .width_px = 4, .height_px = 2, .fx_px = 100.0, .fy_px = 100.0, .baseline_m = 0.2};
-  SeenPicture picture{.kind = PictureKind::left};
+  SeenPicture picture{.kind = PictureKind::left, .bytes = {}};
   EXPECT_EQ(ros_camera_info(picture, camera).p[3], 0.0);
   picture.kind = PictureKind::right;
   EXPECT_DOUBLE_EQ(ros_camera_info(picture, camera).p[3], -20.0);
