@@ -156,7 +156,8 @@ TEST(RecordedFlight, ChunksThatUnpackToAnythingElseAreRefused) {
   EXPECT_TRUE(has(refusal(unknown), "a chunk of the unknown compression zip"));
   std::string flipped = test::mcap_chunk("", records, records.size());
   flipped[flipped.size() - 1] ^= 1;
-  EXPECT_TRUE(has(refusal(test::mcap_of(flipped)), "its checksum (CRC-32) is wrong"));
+  EXPECT_TRUE(has(refusal(test::mcap_of(flipped)),
+                  "a chunk that has another checksum (CRC-32) than it says"));
   const std::string nested = test::mcap_chunk("", records, records.size());
   EXPECT_TRUE(has(refusal(test::mcap_of(test::mcap_chunk("", nested, nested.size()))),
                   "log: damaged at byte 29, in the chunk there, at byte 0 of what it unpacks to: a "

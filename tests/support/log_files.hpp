@@ -130,7 +130,7 @@ inline std::string packed(std::string_view packing, const std::string& bytes) {
 using BagFields = std::vector<std::pair<std::string_view, std::string>>;
 
 template <class T>
-std::string raw(T value) {
+std::string field_bytes(T value) {
   return LogBytes().number(value).text;
 }
 
@@ -144,7 +144,7 @@ inline std::string bag_record(char op, const BagFields& fields, const std::strin
 inline std::string bag_connection(std::uint32_t id, const std::string& topic,
                                   const std::string& type) {
   const std::string data = LogBytes().sized("topic=" + topic).sized("type=" + type).text;
-  return bag_record(7, {{"conn", raw(id)}, {"topic", topic}}, data);
+  return bag_record(7, {{"conn", field_bytes(id)}, {"topic", topic}}, data);
 }
 
 inline std::string bag_message(std::uint32_t id, std::int64_t time_ns, const std::string& data) {
@@ -152,12 +152,12 @@ inline std::string bag_message(std::uint32_t id, std::int64_t time_ns, const std
                                .number(static_cast<std::uint32_t>(time_ns / 1'000'000'000))
                                .number(static_cast<std::uint32_t>(time_ns % 1'000'000'000))
                                .text;
-  return bag_record(2, {{"conn", raw(id)}, {"time", time}}, data);
+  return bag_record(2, {{"conn", field_bytes(id)}, {"time", time}}, data);
 }
 
 inline std::string bag_chunk(std::string_view packing, const std::string& records,
                              std::uint32_t size) {
-  return bag_record(5, {{"compression", std::string(packing)}, {"size", raw(size)}},
+  return bag_record(5, {{"compression", std::string(packing)}, {"size", field_bytes(size)}},
                     packed(packing, records));
 }
 
@@ -165,7 +165,7 @@ inline std::string bag_chunk(std::string_view packing, const std::string& record
 inline std::string bag_of(const std::string& records, bool is_closed = true) {
   const auto head = [](std::uint64_t index) {
     return std::string("#ROSBAG V2.0\n") +
-           bag_record(3, {{"index_pos", raw(index)}, {"conn_count", raw(1U)}},
+           bag_record(3, {{"index_pos", field_bytes(index)}, {"conn_count", field_bytes(1U)}},
                       std::string(20, ' '));
   };
   const std::uint64_t index = head(0).size() + records.size();

@@ -269,7 +269,7 @@ class UlogReader {
     std::vector<Attitude>& all = attitudes_[topic];
     if (!is_attitude(attitude.q) || (!all.empty() && attitude.time_ns <= all.back().time_ns))
       return;
-    if (all.size() == kMostAttitudes) throw BadMessage("more than 2000000 attitudes");
+    if (++attitude_count_ > kMostAttitudes) throw BadMessage("more than 2000000 attitudes");
     if (all.size() == kFewAttitudes) all.reserve(kMostAttitudes);  // as FlightBuilder::add() does
     all.push_back(attitude);
   }
@@ -305,6 +305,7 @@ class UlogReader {
   std::map<std::uint16_t, Subscription> subscriptions_;
   std::map<std::string, std::vector<Attitude>> attitudes_;  ///< by topic
   std::uint64_t appended_position_ = 0;                     ///< 0: nothing was appended
+  std::size_t attitude_count_ = 0;                          ///< of all topics
   std::int64_t lost_count_ = 0, lost_ms_ = 0;
   std::map<std::string, std::int64_t> reset_counts_;  ///< of the estimate, by topic
 };

@@ -82,7 +82,7 @@ class UnpackedBytes : public ByteSource {
 
   void check_end() const {
     if (unpacked_left_ > 0 || !is_whole_) damaged("unpacks to fewer bytes than it says");
-    if (wanted_crc_ && crc_ != *wanted_crc_) damaged("its checksum (CRC-32) is wrong");
+    if (wanted_crc_ && crc_ != *wanted_crc_) damaged("has another checksum (CRC-32) than it says");
   }
 
   [[noreturn]] void damaged(const std::string& what) const {
