@@ -51,7 +51,7 @@ TrialSpec trial_of(const SensorOptions& options, const std::string& sensor) {
   return trial;
 }
 
-void show(const SensorOptions& options) {
+void show_sensor(const SensorOptions& options) {
   check_output(options.png, "png");
   const TrialSpec trial = trial_of(options, options.sensors.front());
   const World world = make_world(trial.map, trial.map_seed);
@@ -260,7 +260,7 @@ void add_sensors_command(CLI::App& app) {
       add_command(*command, "show",
                   "Picture of what a sensor sees: left, right, disparity, depth, truth, error; of "
                   "lidars a sweep",
-                  show);
+                  show_sensor);
   add_typed(show_command, "sensor", show_options.sensors, "NAME|FILE",
             "A built-in sensor's name, or a file")
       ->required()

@@ -237,19 +237,24 @@ std::set<std::string> differing_fields(const TrialSpec& a, const TrialSpec& b) {
 TEST(Changes, TwiceTheComputeHalvesMeasuredLatencyAndTheBudgetsClock) {
   TrialRecord record;
   PlannerDescription planner;
-  planner.parameters = {{.name = "compute_clock_us", .unit = "us", .kind = AB_NUMBER}};
-  planner.parameters.front().lowest = 1.0;
+  ParameterDef& clock = planner.parameters.emplace_back();
+  clock.name = "compute_clock_us";
+  clock.lowest = 1.0;
   const auto apply = changes_of({"twice_compute"}).front()->apply;
   ChangedTrial trial{.spec = noisy_spec()};
-  EXPECT_NE(apply({record, planner}, trial), "");
-  trial.spec.latency = {.mode = LatencyMode::measured, .scale = 3.0};
-  trial.spec.planner.parameters = {{.name = "compute_clock_us", .number = 1000.0}};
-  EXPECT_EQ(apply({record, planner}, trial), "");
+  EXPECT_NE(apply({.record = record, .planner = planner}, trial), "");
+  trial.spec.latency.mode = LatencyMode::measured;
+  trial.spec.latency.scale = 3.0;
+  ParameterChoice choice;
+  choice.name = "compute_clock_us";
+  choice.number = 1000.0;
+  trial.spec.planner.parameters = {choice};
+  EXPECT_EQ(apply({.record = record, .planner = planner}, trial), "");
   EXPECT_EQ(trial.spec.latency.scale, 1.5);
   EXPECT_EQ(trial.spec.planner.parameters.front().number, 500.0);
   trial.spec.latency = {};
   trial.spec.planner.parameters.front().number = 1.0;  // as little as there is
-  EXPECT_NE(apply({record, planner}, trial), "");
+  EXPECT_NE(apply({.record = record, .planner = planner}, trial), "");
 }
 
 TEST(Changes, ChangeTheseFieldsAndNoOthers) {

@@ -19,9 +19,9 @@ namespace avoidbench {
 template <class T>
 concept Plain = std::is_trivially_copyable_v<T> && !std::is_pointer_v<T>;
 
-/// Writes one after the other what a ByteReader takes in the same order. What is not plain has a
-/// function `transfer(io, value)` beside it, for both.
-class ByteWriter {
+/// Writes one after the other what a TransferReader takes in the same order. What is not plain has
+/// a function `transfer(io, value)` beside it, for both.
+class TransferWriter {
  public:
   template <Plain T>
   void operator()(const T& value) {
@@ -49,9 +49,9 @@ class ByteWriter {
 
 /// Trusts nothing: throws InputError where what comes makes no sense, and takes memory for what
 /// came only.
-class ByteReader {
+class TransferReader {
  public:
-  explicit ByteReader(std::span<const std::byte> bytes) : bytes_(bytes) {}
+  explicit TransferReader(std::span<const std::byte> bytes) : bytes_(bytes) {}
   template <Plain T>
   void operator()(T& value) {
     std::memcpy(&value, taken(sizeof value).data(), sizeof value);
@@ -107,23 +107,23 @@ void all(Io& io, Parts&... parts) {
 
 /// An enum whose last value is `last`.
 template <class Enum>
-void transfer_enum(ByteWriter& writer, Enum value, Enum) {
+void transfer_enum(TransferWriter& writer, Enum value, Enum) {
   writer(value);
 }
 template <class Enum>
-void transfer_enum(ByteReader& reader, Enum& value, Enum last) {
+void transfer_enum(TransferReader& reader, Enum& value, Enum last) {
   std::underlying_type_t<Enum> number{};
   reader(number);
-  ByteReader::require(number >= 0 && number <= static_cast<std::underlying_type_t<Enum>>(last));
+  TransferReader::require(number >= 0 && number <= static_cast<std::underlying_type_t<Enum>>(last));
   value = static_cast<Enum>(number);
 }
 
 /// An address of the worker's is none here.
-inline void transfer_command(ByteWriter& writer, ab_command command) {
+inline void transfer_command(TransferWriter& writer, ab_command command) {
   command.points = nullptr;
   writer(command);
 }
-inline void transfer_command(ByteReader& reader, ab_command& command) {
+inline void transfer_command(TransferReader& reader, ab_command& command) {
   reader(command);
   command.points = nullptr;
 }

@@ -166,7 +166,7 @@ template <class Message>
 void McapExport::keep(const std::string& topic, double time_s, const Message& message) {
   const McapTime time = mcap_time(time_s);
   // Nothing of a call is older than the longest delay, and the calls come in their order.
-  ByteReader::require(time >= written_until_);
+  TransferReader::require(time >= written_until_);
   waiting_.emplace(time, Waiting{channel<Message>(topic), cdr_bytes(message)});
 }
 
@@ -177,7 +177,7 @@ void McapExport::add(const FlownPiece& piece) {
   const bool is_in_time = piece.kind == PieceKind::view && last_piece_
                               ? piece.time_s > last_call_s_
                               : piece.time_s >= last_call_s_;
-  ByteReader::require(is_next && is_in_turn && is_in_time);
+  TransferReader::require(is_next && is_in_turn && is_in_time);
   last_piece_ = piece.number;
   last_call_s_ = piece.time_s;
   if (piece.kind == PieceKind::view) {
@@ -399,7 +399,7 @@ void McapExport::add_command(const FlownPiece& piece) {
       return keep("/command/thrust", time_s,
                   RosAccelStamped{in_body, {{.z = command.thrust_mps2}, {}}});
     default:
-      return ByteReader::require(false);
+      return TransferReader::require(false);
   }
 }
 

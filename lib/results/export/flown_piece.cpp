@@ -131,7 +131,7 @@ struct PieceMaker {
 
   std::optional<Message> take() {
     if (!std::exchange(is_due, false)) return std::nullopt;
-    ByteWriter writer;
+    TransferWriter writer;
     transfer(writer, std::as_const(piece));
     return Message{.json = nlohmann::json::object(), .bytes = writer.take()};
   }
@@ -149,12 +149,12 @@ std::size_t pixel_bytes(PictureKind kind) {
 }
 
 void check_picture(const SeenPicture& picture, double call_s, const PlannerSetup& setup) {
-  ByteReader::require(picture.camera < setup.cameras.size());
+  TransferReader::require(picture.camera < setup.cameras.size());
   const CameraSetup& camera = setup.cameras[picture.camera];
   const std::size_t pixels =
       static_cast<std::size_t>(camera.width_px) * static_cast<std::size_t>(camera.height_px);
-  ByteReader::require(picture.bytes.size() == pixels * pixel_bytes(picture.kind));
-  ByteReader::require(picture.time_s >= 0.0 && picture.time_s <= call_s);
+  TransferReader::require(picture.bytes.size() == pixels * pixel_bytes(picture.kind));
+  TransferReader::require(picture.time_s >= 0.0 && picture.time_s <= call_s);
 }
 
 }  // namespace
@@ -200,26 +200,26 @@ LookoutJob pieces_job(const TrialSpec& spec) {
 FlownPiece flown_piece_from(const Message& message, const TrialSpec& spec,
                             const PlannerSetup& setup) {
   FlownPiece piece;
-  ByteReader reader(message.bytes);
+  TransferReader reader(message.bytes);
   transfer(reader, piece);
   reader.finish();
   const double latest_s = spec.mission.time_limit_s + 1.0;
-  ByteReader::require(piece.time_s >= 0.0 && piece.time_s <= latest_s);
-  ByteReader::require(piece.state.time_s >= 0.0 && piece.state.time_s <= piece.time_s);
-  ByteReader::require(std::isfinite(piece.state.q_world_body.coeffs().sum()));
+  TransferReader::require(piece.time_s >= 0.0 && piece.time_s <= latest_s);
+  TransferReader::require(piece.state.time_s >= 0.0 && piece.state.time_s <= piece.time_s);
+  TransferReader::require(std::isfinite(piece.state.q_world_body.coeffs().sum()));
   for (const SeenPicture& picture : piece.pictures) check_picture(picture, piece.time_s, setup);
   for (const SeenCloud& cloud : piece.clouds) {
-    ByteReader::require(cloud.lidar < setup.lidars.size() &&
-                        cloud.points.size() <= setup.lidars[cloud.lidar].shots);
-    ByteReader::require(cloud.time_s >= 0.0 && cloud.time_s <= piece.time_s);
+    TransferReader::require(cloud.lidar < setup.lidars.size() &&
+                            cloud.points.size() <= setup.lidars[cloud.lidar].shots);
+    TransferReader::require(cloud.time_s >= 0.0 && cloud.time_s <= piece.time_s);
   }
   for (const SeenImu& sample : piece.imu) {
-    ByteReader::require(sample.time_s >= 0.0 && sample.time_s <= piece.time_s);
+    TransferReader::require(sample.time_s >= 0.0 && sample.time_s <= piece.time_s);
   }
   constexpr double kMostEffect_s = 3600.0;
-  ByteReader::require(piece.effect_s >= 0.0 && piece.effect_s <= latest_s + kMostEffect_s);
+  TransferReader::require(piece.effect_s >= 0.0 && piece.effect_s <= latest_s + kMostEffect_s);
   for (const ab_point& point : piece.points) {
-    ByteReader::require(point.time_s >= 0.0 && point.time_s <= 1e6);
+    TransferReader::require(point.time_s >= 0.0 && point.time_s <= 1e6);
   }
   return piece;
 }

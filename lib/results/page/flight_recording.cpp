@@ -22,18 +22,18 @@ void visit(Visitor& v, W& w) {
   v.field("most_calls", w.most_calls);
 }
 
-void check(const ByteWriter&, const SeenImage&) {}
-void check(const ByteReader&, const SeenImage& image) {
+void check(const TransferWriter&, const SeenImage&) {}
+void check(const TransferReader&, const SeenImage& image) {
   constexpr int kMostPixels = 1 << 16;
   const bool is_sized = image.width_px >= 0 && image.width_px <= kMostPixels &&
                         image.height_px >= 0 && image.height_px <= kMostPixels;
-  ByteReader::require(is_sized);
+  TransferReader::require(is_sized);
   const auto pixels =
       static_cast<std::size_t>(image.width_px) * static_cast<std::size_t>(image.height_px);
   const bool is_depth = image.depth_m.size() == pixels && image.bytes.empty();
   const bool is_light =
       image.depth_m.empty() && (image.bytes.size() == pixels || image.bytes.size() == 3 * pixels);
-  ByteReader::require(is_depth || is_light);
+  TransferReader::require(is_depth || is_light);
 }
 
 template <class Io, ConstOr<Eigen::Vector3d> T>
@@ -113,7 +113,7 @@ struct Recorders {
 
   Message report(const TrialRecord& flown) {
     if (moments) recording.moments = moments->finish(flown.end_time_s);
-    ByteWriter writer;
+    TransferWriter writer;
     writer(recording.log);
     writer(recording.calls);
     writer(recording.moments);
@@ -172,7 +172,7 @@ LookoutJob recording_job(RecordingWanted wanted, const TrialSpec& spec) {
 }
 
 FlightRecording recording_from(const Message& reported) {
-  ByteReader reader(reported.bytes);
+  TransferReader reader(reported.bytes);
   FlightRecording recording;
   std::string seen;
   reader(recording.log);
@@ -181,7 +181,7 @@ FlightRecording recording_from(const Message& reported) {
   reader(seen);
   reader.finish();
   recording.seen = nlohmann::ordered_json::parse(seen, nullptr, false);
-  ByteReader::require(!recording.seen.is_discarded());
+  TransferReader::require(!recording.seen.is_discarded());
   return recording;
 }
 
