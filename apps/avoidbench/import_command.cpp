@@ -82,6 +82,8 @@ void check_twin_place(const ImportCommand& command) {
 }
 
 void import(const ImportCommand& command) {
+  check_output(command.output.output, text(command.output.format));
+  if (!command.twin.empty()) check_output(command.twin, "yaml");
   check_twin_place(command);
   const FlightsFile file = read_flights(command.file, command.overrides);
   const std::string path =

@@ -34,6 +34,7 @@ COMMANDS = {
     "export mcap": [("export mcap db.db 1 @", {"--output": "v.mcap"})],
     "export trajectory": [("export trajectory db.db 1 @", {"--output": "v.csv"})],
     "export trials": [("export trials db.db @", {"--output": "v.csv"})],
+    "import": [("import nothing.yaml @", {"--output": "v.sqlite", "--twin": "v.yaml"})],
     "limit": [
         (
             "limit sweep.yaml --db other.db --over latency.ms=0..400 --quiet @",
@@ -73,7 +74,7 @@ COMMANDS = {
     "suite board": [("suite board nothing @", {"--output": "v.sqlite", "--page": "v.html"})],
     "suite list": [("suite list @", {"--output": "v.sqlite"})],
 }
-WRITING = {"--output", "--png", "--page", "--video", "--csv", "--commands", "--bless", "--heartbeat"}
+WRITING = {"--output", "--twin", "--png", "--page", "--video", "--csv", "--commands", "--bless", "--heartbeat"}
 
 
 def help_of(program, words):

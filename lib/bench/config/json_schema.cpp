@@ -558,6 +558,7 @@ Schema flights_schema(const std::vector<PlannerDescription>& planners) {
                            {"description", flights_tree().find("flights")->doc}};
   properties["include"] = other_schema(*sweep_tree().find("include"));
   properties["sweep"] = reference("part_file");
+  properties["sweep"]["type"] = "object";
   properties["recordings"]["minItems"] = 1;
   properties["recordings"]["items"]["required"] = {"log", "planner", "goal"};
   Schema file{{"$schema", "https://json-schema.org/draft/2020-12/schema"},

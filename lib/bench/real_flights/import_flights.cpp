@@ -370,19 +370,24 @@ std::size_t store_flights(const ImportedFlights& imported, const RunRow& run,
 }
 
 std::vector<std::string> lacking_metrics(const ImportedFlights& imported) {
-  std::vector<std::string> names;
-  const std::span<const MetricDef> table = metric_table();
-  for (std::size_t m = 0; m < table.size(); ++m) {
-    const bool is_there = std::any_of(
-        imported.flights.begin(), imported.flights.end(),
-        [&](const ImportedFlight& flight) { return !std::isnan(flight.row.metrics[m]); });
-    const bool has_speakers =
-        std::any_of(imported.flights.begin(), imported.flights.end(), [&](const auto& flight) {
-          return table[m].population == Population::all ||
-                 flight.row.record.outcome == Outcome::reached_goal;
-        });
-    if (!is_there && has_speakers) names.emplace_back(table[m].name);
+  // What has a value once all is said that logs can lack.
+  std::set<std::size_t> lacking;
+  for (std::size_t k = 0; k < imported.flights.size(); ++k) {
+    const ImportedFlight& flight = imported.flights[k];
+    TrialRecord whole = flight.row.record;
+    for (Sample& sample : whole.samples) {
+      sample.reference_world = sample.position_world;
+      sample.rotor_power_w = 0.0;
+    }
+    whole.plan_calls.assign(2, PlanCall{});
+    const std::vector<double> values =
+        compute_metrics({flight.spec, imported.map.record.missions[k], whole});
+    for (std::size_t m = 0; m < values.size(); ++m) {
+      if (std::isnan(flight.row.metrics[m]) && !std::isnan(values[m])) lacking.insert(m);
+    }
   }
+  std::vector<std::string> names;
+  for (const std::size_t m : lacking) names.emplace_back(metric_table()[m].name);
   return names;
 }
 

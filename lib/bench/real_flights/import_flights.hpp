@@ -40,8 +40,7 @@ ImportedFlights import_flights(const FlightsFile& file);
 std::size_t store_flights(const ImportedFlights& imported, const RunRow& run,
                           const std::string& beside, Database& database);
 
-/// Metrics of which these flights have no value though their outcome would allow one, in the order
-/// of the table.
+/// Metrics that have no value for what the logs do not say, in the order of the table.
 std::vector<std::string> lacking_metrics(const ImportedFlights& imported);
 
 }  // namespace avoidbench

@@ -223,6 +223,9 @@ Table reality_table(const std::vector<RealityGap>& gaps) {
        {.name = "p",
         .doc = "that it is as near as the first simulation: Wilcoxon's signed-rank test of the "
                "distances' ratios, corrected (Holm)"}});
+  const bool has_several = std::any_of(gaps.begin(), gaps.end(), [&](const RealityGap& gap) {
+    return gap.simulation != gaps.front().simulation;
+  });
   const auto digits = [](double value, int decimals) {
     return std::isnan(value) ? std::string("–") : fixed_digits(value, decimals);
   };
@@ -235,6 +238,9 @@ Table reality_table(const std::vector<RealityGap>& gaps) {
         "[" + digits(interval.lower, 2) + ", " + digits(interval.upper, 2) + "]",
         digits(gap.distance_m, 2), is_first ? std::string("–") : std::to_string(gap.nearer_count),
         gap.p < 0.0005 ? std::string("<0.001") : digits(gap.p, 3)));
+  }
+  if (!has_several) {
+    for (const char* name : {"p", "nearer_count"}) drop_column(table, column_at(table, name));
   }
   return table;
 }
