@@ -187,9 +187,19 @@ TEST_F(ReplayTest, SaysWhatIsMissing) {
   EXPECT_TRUE(stored_flight(stored, elsewhere).warnings.empty());
 }
 
+/// No library flew a real flight, and none that is named flies it again.
+TEST(PlannerFor, RealFlightsAreAnError) {
+  PlannerChoice choice;
+  choice.label = "mine_real";
+  ReplayFiles files;
+  files.planner = "straight_line";
+  EXPECT_THROW(planner_for(choice, files), InputError);
+}
+
 TEST(PlannerFor, NoFolderToLookInIsAnError) {
   PlannerChoice choice;
   choice.plugin = "mine";
+  choice.file_digest = "0123";
   ReplayFiles files;
   files.folders.clear();
   try {

@@ -42,7 +42,8 @@ TrialSpec noisy_spec() {
   spec.wind.gust.random_heading = true;
   spec.wind.kicks = {.rate_per_min = 300.0, .force_n = 1.0, .torque_nm = 0.01};
   spec.planner.parameters = {{.name = "max_speed_mps", .number = 3.0, .text = {}},
-                             {.name = "gain", .number = 3.0, .text = {}}};
+                             {.name = "gain", .number = 3.0, .text = {}},
+                             {.name = "compute_clock_us", .number = 100.0, .text = {}}};
   return spec;
 }
 
@@ -61,6 +62,13 @@ PlannerDescription planner() {
                          .doc = {},
                          .lowest = 0.0,
                          .highest = 9.0,
+                         .choices = {},
+                         .preset_text = {}},
+                        {.name = "compute_clock_us",
+                         .unit = "us",
+                         .doc = {},
+                         .lowest = 1.0,
+                         .highest = 1e6,
                          .choices = {},
                          .preset_text = {}}};
   return planner;
@@ -233,28 +241,20 @@ std::set<std::string> differing_fields(const TrialSpec& a, const TrialSpec& b) {
   return fields;
 }
 
-/// noisy_spec() has neither: what is halved has to be there first.
+/// Whose latency is measured gets answers sooner; what is least already can't be halved.
 TEST(Changes, TwiceTheComputeHalvesMeasuredLatencyAndTheBudgetsClock) {
   TrialRecord record;
-  PlannerDescription planner;
-  ParameterDef& clock = planner.parameters.emplace_back();
-  clock.name = "compute_clock_us";
-  clock.lowest = 1.0;
+  const PlannerDescription description = planner();
   const auto apply = changes_of({"twice_compute"}).front()->apply;
   ChangedTrial trial{.spec = noisy_spec()};
-  EXPECT_NE(apply({.record = record, .planner = planner}, trial), "");
   trial.spec.latency.mode = LatencyMode::measured;
   trial.spec.latency.scale = 3.0;
-  ParameterChoice choice;
-  choice.name = "compute_clock_us";
-  choice.number = 1000.0;
-  trial.spec.planner.parameters = {choice};
-  EXPECT_EQ(apply({.record = record, .planner = planner}, trial), "");
+  EXPECT_EQ(apply({record, description}, trial), "");
   EXPECT_EQ(trial.spec.latency.scale, 1.5);
-  EXPECT_EQ(trial.spec.planner.parameters.front().number, 500.0);
+  EXPECT_EQ(trial.spec.planner.parameters[2].number, 50.0);
   trial.spec.latency = {};
-  trial.spec.planner.parameters.front().number = 1.0;  // as little as there is
-  EXPECT_NE(apply({.record = record, .planner = planner}, trial), "");
+  trial.spec.planner.parameters[2].number = description.parameters.back().lowest;
+  EXPECT_NE(apply({record, description}, trial), "");
 }
 
 TEST(Changes, ChangeTheseFieldsAndNoOthers) {
@@ -266,6 +266,7 @@ TEST(Changes, ChangeTheseFieldsAndNoOthers) {
         "/odometry/position_sigma_m", "/odometry/velocity_sigma_mps",
         "/odometry/yaw_drift_deg_per_sqrt_s"}},
       {"perfect_tracking", {}},
+      {"twice_compute", {"/planner/parameters/2/number"}},
       {"slower",
        {"/mission/time_limit_s", "/planner/parameters/0/number", "/vehicle/max_speed_mps"}},
       {"wider_view", {"/sensor/fov_x_deg", "/sensor/width_px"}},

@@ -117,6 +117,10 @@ TEST_F(WhatIfTest, ExactlyTheRightChangeCures) {
       EXPECT_EQ(flight.not_applicable, "nothing moves on its map");
       continue;
     }
+    if (change == "twice_compute") {  // latencies are fixed
+      EXPECT_TRUE(flight.not_applicable.starts_with("neither")) << flight.not_applicable;
+      continue;
+    }
     EXPECT_EQ(flight.not_applicable, "") << what;
     ASSERT_TRUE(flight.row) << what;
     EXPECT_EQ(flight.row->outcome == Outcome::reached_goal, change == cures.at(trial.planner_label))
