@@ -57,8 +57,8 @@ json scene_planner(const PlannerChoice& planner) {
 std::string scene_sweep(const SmallestScene& scene, const std::string& key) {
   const TrialSpec& spec = scene.spec;
   json sweep = spec_to_json(spec);
-  for (const char* other :
-       {"map", "map_seed", "mission_index", "planner", "latency_digest", "missions_digest"}) {
+  for (const char* other : {"map", "map_seed", "mission_index", "planner", "latency_digest",
+                            "missions_digest", "recording"}) {
     sweep.erase(other);
   }
   sweep["sweep"] = "smallest_" + key.substr(0, 8);
