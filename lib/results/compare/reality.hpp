@@ -23,8 +23,9 @@ struct RealityGap {
   Interval contrast_interval = {};  ///< BCa bootstrap over missions, 95 %
   double distance_m = 0.0;          ///< median over missions of path_distance_m()
   std::int64_t nearer_count = 0;    ///< missions on which it is nearer than the first simulation
-  double p = 0.0;  ///< Wilcoxon's of the distances' ratios to the first simulation's, Holm over all
-                   ///< rows that have one; NaN for the first simulation
+  /// Wilcoxon's of the distances' ratios to the first simulation's, Holm over all rows that have
+  /// one; NaN for the first simulation.
+  double p = 0.0;
 };
 
 /// Mean distance between two paths at equal times, until the first of them ends, m. NaN where one
