@@ -14,6 +14,7 @@
 namespace avoidbench {
 
 /// What somebody wants to know of a trial besides its record: see Lookout.
+// NOLINTNEXTLINE(bugprone-exception-escape): nlohmann::json says it of its own members
 struct LookoutJob {
   std::string kind;            ///< of the lookout: one that run_worker() was given
   Message wanted;              ///< what it needs to know
