@@ -146,7 +146,9 @@ RosPointCloud ros_depth_points(const SeenPicture& picture, const CameraSetup& ca
   for (int v = 0; v < camera.height_px; v += step) {
     for (int u = 0; u < camera.width_px; u += step) {
       float depth_m = 0.0F;
-      const auto pixel = static_cast<std::size_t>(v * camera.width_px + u);
+      const std::size_t pixel =
+          static_cast<std::size_t>(v) * static_cast<std::size_t>(camera.width_px) +
+          static_cast<std::size_t>(u);
       std::memcpy(&depth_m, picture.bytes.data() + pixel * sizeof depth_m, sizeof depth_m);
       if (!std::isfinite(depth_m)) continue;
       points.push_back(static_cast<float>((u - camera.cx_px) / camera.fx_px) * depth_m);
