@@ -11,6 +11,7 @@
 #include "export/cdr_writer.hpp"
 #include "export/flight_messages.hpp"
 #include "export/ros2_schema.hpp"
+#include "plugin/command_check.hpp"
 #include "sweep/sweep_spec.hpp"
 #include "trial/goals.hpp"
 #include "trial/planner_view.hpp"
@@ -19,33 +20,16 @@
 namespace avoidbench {
 namespace {
 
-/// How often what moves is told.
+/// How often the poses of movers are written.
 constexpr double kMoving_hz = 20.0;
 
 /// rcl_interfaces/msg/Log.
 constexpr std::uint8_t kInfo = 20, kWarning = 30, kError = 40;
 
-const char* command_name(std::uint32_t kind) {
-  switch (kind) {
-    case AB_COMMAND_POSITION:
-      return "position";
-    case AB_COMMAND_VELOCITY:
-      return "velocity";
-    case AB_COMMAND_ACCELERATION:
-      return "acceleration";
-    case AB_COMMAND_TRAJECTORY:
-      return "trajectory";
-    case AB_COMMAND_RATES:
-      return "rates";
-    default:
-      return "command";
-  }
-}
-
 std::string status_text(const PlanCall& call) {
   switch (call.status) {
     case AB_OK:
-      return command_name(call.command_kind);
+      return command_kind_text(call.command_kind);
     case AB_NO_PLAN:
       return "no_plan";
     case AB_GIVE_UP:
