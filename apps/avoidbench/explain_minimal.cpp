@@ -7,6 +7,7 @@
 #include "base/spec_json.hpp"
 #include "base/visible_text.hpp"
 #include "config/sweep_file.hpp"
+#include "config/sweep_keys.hpp"
 #include "explain.hpp"
 #include "output.hpp"
 #include "what_if/smallest_scene.hpp"
@@ -57,10 +58,9 @@ json scene_planner(const PlannerChoice& planner) {
 std::string scene_sweep(const SmallestScene& scene, const std::string& key) {
   const TrialSpec& spec = scene.spec;
   json sweep = spec_to_json(spec);
-  for (const char* other : {"map", "map_seed", "mission_index", "planner", "latency_digest",
-                            "missions_digest", "recording"}) {
-    sweep.erase(other);
-  }
+  // The map, its seed and the planner are written below, as sweep files have them.
+  for (const char* other : {"map", "map_seed"}) sweep.erase(other);
+  for (const std::string_view filled_in : kFilledIn) sweep.erase(std::string(filled_in));
   sweep["sweep"] = "smallest_" + key.substr(0, 8);
   sweep["trials"] = scene.missions.size();
   sweep["maps"] = spec_to_json(spec)["map"];

@@ -130,6 +130,10 @@ SweepSpec sweep_of_document(const Document& document) {
   Reading reading;
   if (document.file.has_parent_path()) reading.folder = document.file.parent_path();
   const GivenValue root{document.root, "", reading};
+  const YamlNode* flights = document.root.find("flights");
+  if (flights != nullptr && document.root.find("recordings") != nullptr) {
+    throw InputError(problem_at(*flights, "this is a file of real flights: `import` reads it"));
+  }
   MappingReader mapping(root);
   if (!reading.problems.empty()) throw_problems(reading.problems, document.file.string());
   // The values of all fields as JSON, with every problem of theirs in `reading`.

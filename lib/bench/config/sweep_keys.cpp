@@ -200,10 +200,7 @@ FieldTree make_sweep_tree() {
     fields.erase(found);
     return taken;
   };
-  // The program fills these in.
-  for (const char* filled_in :
-       {"mission_index", "planner", "latency_digest", "missions_digest", "recording"})
-    take(filled_in);
+  for (const std::string_view filled_in : kFilledIn) take(filled_in);
   FieldTree name = take("sweep"), trials = take("trials"), maps = take("map");
   FieldTree seeds = take("map_seed"), missions = take("list"), mission_file = take("file");
   name.preset = {};

@@ -13,6 +13,10 @@ namespace avoidbench {
 /// Listed missions begin and end within this distance of the map's origin along each axis.
 inline constexpr double kFarthestPlace_m = 1e5;
 
+/// Fields of a TrialSpec that the program fills in: no sweep file says them.
+inline constexpr std::string_view kFilledIn[] = {"mission_index", "planner", "latency_digest",
+                                                 "missions_digest", "recording"};
+
 /// Everything that a sweep file can say: the fields of SweepSpec as visit() gives them (`map` is
 /// called `maps`, and `map_seed` maps.seeds), and the keys that are no plain fields. Blocks for
 /// which a name may stand have the key `preset`.

@@ -25,12 +25,12 @@ class FlightBuilder {
   std::string_view type_of(std::size_t topic) const { return topics_[topic].type; }
   /// Counts a message, and says whether read_message() or add() is to follow.
   bool wants_message(std::size_t topic);
-  /// Reads a message that is wanted; `logged_ns` is when it was recorded. Throws BadMessage.
+  /// Reads a message of the chosen topic; `logged_ns` is when it was recorded. Throws BadMessage.
   void read_message(std::size_t topic, MessageReader message, std::int64_t logged_ns);
   /// For a format without types of ROS: these topics fit, and of those that have messages the first
   /// one is read where none is chosen.
   void prefer(std::vector<std::string> names) { preferred_ = std::move(names); }
-  /// The name of the topic that is read, "" where there is none yet.
+  /// The name of the topic that is read; "" before one is found.
   std::string_view chosen_topic() const;
 
   /// Adds a pose in the order of the log. Returns its index, or nothing where it is left out.

@@ -45,7 +45,7 @@ struct LoggedPose {
   std::optional<Eigen::Vector3d> velocity;              ///< m/s, in the log's frame
 };
 
-/// Whether it is a rotation but for rounding. Zeros and NaN are what programs write that know none.
+/// Whether it is a rotation, up to rounding. Programs without an attitude write zeros or NaN.
 inline bool is_attitude(const Eigen::Quaterniond& q) { return std::abs(q.norm() - 1.0) < 0.1; }
 
 /// Calls `use` with each pose of a message. Throws BadMessage where it is not of that type.

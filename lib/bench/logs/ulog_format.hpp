@@ -38,7 +38,7 @@ struct UlogField {
 /// that are fields.
 class UlogFormats {
  public:
-  /// "name:type field;type[3] field;". Throws BadMessage where it is none.
+  /// "name:type field;type[3] field;". Throws BadMessage for any other text.
   void add(std::string_view definition);
   /// A field of numbers of a type. Nothing where there is none of that name. Throws BadMessage for
   /// a type that is not defined, contains itself, or is larger than a message can be.
