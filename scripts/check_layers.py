@@ -35,7 +35,6 @@ THIRD_PARTIES = {
     "zstd.h": "zstd",
     "sqlite3.h": "sqlite3",
     "lz4frame.h": "lz4",
-    "zstd.h": "zstd",
     "bzlib.h": "bzlib",
     "yaml-cpp": "yaml-cpp",
     "nlohmann": "nlohmann",

@@ -114,7 +114,7 @@ struct TrialListing {
   double end_time_s = 0.0;  ///< NaN where not known
   Mission mission = {};
   std::string map_key = {};
-  bool is_recorded = false;  ///< flown in reality: nothing can fly it again
+  bool is_recorded = false;             ///< flown in reality: nothing can fly it again
   std::vector<TableValue> fields = {};  ///< one an element of those that were asked for
   std::string setting =
       {};  ///< those of the fields that sweeps vary: "poisson_radius_m 3.5, ms 40"
