@@ -33,6 +33,7 @@ class Found:
         self.left = []  # names of nodes that are not taken, with the reason
         self.params, self.inputs, self.command = {}, [], None
         self.sources, self.messages, self.includes, self.needs, self.definitions = [], [], [], [], []
+        self.copies = []  # sources whose text is that of another one, and stands once
         self.standard = 0
         self.questions = []  # of what stands in no line of the topics file
 
@@ -117,6 +118,7 @@ def take_sources(found, packages):
         found.sources += [one for one in program.sources if one not in found.sources]
         files += [one for one in program.files if one not in files]
         names += [one for one in needed_packages(packages, node.package) if one not in names]
+    found.sources, found.copies = without_copies(found.sources)
     for name in names:
         package = packages[name]
         found.includes += [one for one in package.includes if one not in found.includes]
@@ -131,6 +133,21 @@ def take_sources(found, packages):
     found.needs, notes = needs_of(included)
     found.questions += [f"CMakeLists.txt: {one}" for one in notes]
     found.questions += missing_headers(included, files, found, packages)
+
+
+def without_copies(sources):
+    """The sources without those that are another's copy, and these. Packages that hold the same file each have it in a
+    library of their own; in one library it can stand once."""
+
+    def text_alone(source):
+        return re.sub(r"(?m)^[ \t]*#[ \t]*include.*$|\s", "", text_of(source))
+
+    firsts, copies = {}, []
+    for source in sources:
+        first = firsts.setdefault((source.name, text_alone(source)), source)
+        if first != source:
+            copies.append(source)
+    return list(firsts.values()), copies
 
 
 def missing_headers(included, files, found, packages):
@@ -185,6 +202,8 @@ def report(found, folder, text, prefix):
     print(f"  nodes     {', '.join(node.name for node in found.mains)}")
     if found.left:
         print(f"  left out  {', '.join(found.left)}")
+    for one in found.copies:
+        print(f"  copy      {one.relative_to(found.workspace)}: the same as another source, compiled once")
     print(f"  command   {found.command.name} ({found.command.kind})")
     asked = [f"topics.yaml:{at}: {line.partition('# ? ')[2]}" for at, line in enumerate(lines, 1) if "# ? " in line]
     questions = asked + found.questions

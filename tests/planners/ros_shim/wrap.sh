@@ -16,6 +16,12 @@ cp "$example"/src/{planner_node,traj_server}.cpp "$src/flyer/src/"
 cp "$example/src/primitive_planner.cpp" "$src/primitives/src/"
 cp "$example/src/primitive_planner.h" "$src/primitives/include/"
 cp "$example"/msg/*.msg "$src/messages/ros_example/msg/"
+# A second package with a copy of a source, but for what it includes, as workspaces have them.
+cp -r "$src/primitives" "$src/primitives_of_another"
+sed -i 's/primitives/primitives_of_another/g' "$src"/primitives_of_another/{CMakeLists.txt,package.xml}
+sed -i '1i #include <vector>' "$src/primitives_of_another/src/primitive_planner.cpp"
+sed -i 's/roscpp primitives/& primitives_of_another/' "$src/flyer/CMakeLists.txt"
+sed -i 's|<depend>primitives</depend>|&<depend>primitives_of_another</depend>|' "$src/flyer/package.xml"
 launch=$src/flyer/launch/fly.launch
 
 fail() {
@@ -28,6 +34,7 @@ has() { # FILE TEXT
 
 "$program" planners wrap "$launch" max_speed:=1.25 > said.txt
 for text in "nodes     planner, traj_server" "rviz (rviz/rviz: no C++ sources here)" \
+  "copy      primitives_of_another/src/primitive_planner.cpp: the same as another source, compiled once" \
   "command   /drone/position_cmd (quadrotor_msgs/PositionCommand)" "No questions."; do
   has said.txt "$text"
 done
