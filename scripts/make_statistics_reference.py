@@ -278,6 +278,63 @@ reference["power"] = [
     for a, b, n in [(0.9, 0.2, 9), (0.9, 0.2, 8), (0.9, 0.6, 40), (1.0, 0.7, 25), (0.5, 0.5, 30), (0.1, 0.4, 33)]
 ]
 
+
+# Failures over the way flown, maps as random effect: the posterior's moments on a grid. Effects of maps by Gauss and
+# Hermite's rule, the three parameters by sums over evenly spaced values. Priors as in failure_rate.hpp.
+def failure_posterior(trials, asked):
+    maps = sorted({row[0] for row in trials})
+    hardness = numpy.array([next(x for m, x, _, _ in trials if m == number) for number in maps])
+    centre, scale = hardness.mean(), hardness.std() or 1.0
+    nodes, weights = numpy.polynomial.hermite_e.hermegauss(40)
+    weights = weights / math.sqrt(2 * math.pi)
+    log_rates = numpy.linspace(-18, 8, 209)[:, None, None, None]
+    slopes = numpy.linspace(-6, 6, 61)[None, :, None, None]
+    spreads = ((numpy.arange(30) + 0.5) / 30 * 4)[None, None, :, None]
+    log_posterior = -0.5 * (((log_rates + math.log(100)) / 3) ** 2 + (slopes / 1.5) ** 2 + spreads**2)[..., 0]
+    for number, x in zip(maps, (hardness - centre) / scale):
+        rates = numpy.exp(log_rates + slopes * x + spreads * nodes)
+        log_likelihood = 0.0
+        for m, _, exposure, has_failed in trials:
+            if m == number:
+                mean = rates * exposure
+                log_likelihood = log_likelihood + (numpy.log(-numpy.expm1(-mean)) if has_failed else -mean)
+        log_posterior = log_posterior + numpy.log(numpy.maximum((numpy.exp(log_likelihood) * weights).sum(-1), 1e-300))
+    posterior = numpy.exp(log_posterior - log_posterior.max())
+    posterior /= posterior.sum()
+    parts = {"log_rate": log_rates[..., 0], "slope": slopes[..., 0], "spread": spreads[..., 0]}
+    moments = {name: float((posterior * part).sum()) for name, part in parts.items()}
+    deviations = {
+        name: math.sqrt(float((posterior * (part - moments[name]) ** 2).sum())) for name, part in parts.items()
+    }
+    predicted = []
+    for x, exposure in asked:
+        rates = numpy.exp(log_rates + slopes * (x - centre) / scale + spreads * nodes)
+        rate = (posterior * (numpy.exp(-rates * exposure) * weights).sum(-1)).sum()
+        predicted.append({"x": x, "exposure": exposure, "rate": float(rate)})
+    return {"trials": trials, "mean": moments, "deviation": deviations, "predicted": predicted}
+
+
+def flown(map_count, mission_count, log_rate, slope, spread):
+    rows = []
+    for number in range(map_count):
+        x = round(float(random.uniform(0.3, 0.9)), 3)
+        rate = math.exp(log_rate + slope * (x - 0.6) + spread * random.normal())
+        for _ in range(mission_count):
+            metres = round(float(random.uniform(10, 40)), 1)
+            rows.append([number, x, metres, int(random.random() < 1 - math.exp(-rate * metres))])
+    return rows
+
+
+reference["failure_rate"] = [
+    failure_posterior(rows, [(0.4, 20), (0.8, 20), (0.6, 100)])
+    for rows in [
+        flown(8, 6, math.log(0.02), -3.0, 0.5),
+        flown(12, 5, math.log(0.006), -2.0, 1.0),
+        flown(6, 5, math.log(1e-7), 0.0, 0.0),  # none fails
+        flown(5, 4, math.log(2.0), 0.0, 0.0),  # all fail
+    ]
+]
+
 path = pathlib.Path(__file__).resolve().parent.parent / "tests/statistics/reference.json"
 lines = [
     f"{json.dumps(name)}: "
