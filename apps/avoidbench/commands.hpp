@@ -14,6 +14,7 @@ void add_run_command(CLI::App& app);
 void add_limit_command(CLI::App& app);
 void add_report_command(CLI::App& app);
 void add_power_command(CLI::App& app);
+void add_predict_command(CLI::App& app);
 void add_export_command(CLI::App& app);
 void add_compare_command(CLI::App& app);
 void add_suite_command(CLI::App& app);

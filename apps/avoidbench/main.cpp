@@ -123,9 +123,10 @@ int explain(const CLI::App& app, const CLI::ParseError& error) {
 void add_commands(CLI::App& app) {
   for (const auto& add :
        {add_run_command, add_limit_command, add_suite_command, add_report_command,
-        add_power_command, add_export_command, add_compare_command, add_replay_command,
-        add_explain_command, add_merge_command, add_import_command, add_planners_command,
-        add_maps_command, add_sensors_command, add_metrics_command, add_config_command}) {
+        add_power_command, add_predict_command, add_export_command, add_compare_command,
+        add_replay_command, add_explain_command, add_merge_command, add_import_command,
+        add_planners_command, add_maps_command, add_sensors_command, add_metrics_command,
+        add_config_command}) {
     add(app);
   }
 }

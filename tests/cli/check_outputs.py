@@ -56,6 +56,7 @@ COMMANDS = {
     "planners describe": [("planners describe straight_line @", {"--output": "v.sqlite"})],
     "planners list": [("planners list @", {"--output": "v.sqlite"})],
     "power": [("power --trials 10 @", {"--output": "v.sqlite"})],
+    "predict": [("predict db.db --traversability 0.6 --distance 20 @", {"--output": "v.sqlite"})],
     "replay": [
         (
             "replay db.db 1 @",

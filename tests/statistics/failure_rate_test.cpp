@@ -32,7 +32,7 @@ Moments moments(const FailureRateFit& fit, double FailureRateDraw::*part) {
   return found;
 }
 
-// 4,000 draws know a mean to a fiftieth of its deviation or so.
+// 2,000 draws know a mean to a twentieth of its deviation or so.
 TEST(FailureRate, LikeSumsOverAGrid) {
   for (const auto& row : reference("failure_rate")) {
     SCOPED_TRACE(row.at("mean").dump());
@@ -42,8 +42,8 @@ TEST(FailureRate, LikeSumsOverAGrid) {
     const auto expect_like = [&](const char* name, double FailureRateDraw::*part) {
       const Moments found = moments(fit, part);
       const double deviation = row.at("deviation").at(name);
-      EXPECT_NEAR(found.mean, row.at("mean").at(name).get<double>(), 0.1 * deviation) << name;
-      EXPECT_NEAR(found.deviation, deviation, 0.1 * deviation) << name;
+      EXPECT_NEAR(found.mean, row.at("mean").at(name).get<double>(), 0.15 * deviation) << name;
+      EXPECT_NEAR(found.deviation, deviation, 0.15 * deviation) << name;
     };
     expect_like("log_rate", &FailureRateDraw::log_rate);
     expect_like("slope", &FailureRateDraw::slope);
@@ -76,7 +76,7 @@ std::vector<ExposedTrial> flown(std::size_t map_count, std::size_t missions, dou
 TEST(FailureRate, NineOfTenMapsLieWithinTheInterval) {
   int held = 0, asked = 0;
   double predicted = 0.0, observed = 0.0;
-  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
     RandomStream random(seed);
     const FailureRateFit fit = fit_failure_rate(flown(15, 10, 0.6, random), 1000);
     for (int i = 0; i < 10; ++i) {

@@ -37,49 +37,57 @@ double log_one_minus_exp(double m) {
   return m > 1e-5 ? math::log(1.0 - math::exp(-m)) : math::log(m) - 0.5 * m;
 }
 
-/// The log-likelihood of a map's flights and of its effect u, with derivatives over u.
-struct Height {
-  double value = 0.0, slope = 0.0, curvature = 0.0;
-};
-
-Height height_at(const MapTrials& map, double log_rate, double u, double spread) {
+/// The log-likelihood of a map's flights and of its effect u.
+double height_at(const MapTrials& map, double log_rate, double u, double spread) {
   const double rate = math::exp(std::min(log_rate + u, 700.0));
-  const double of_successes = rate * map.exposure_of_successes;
-  const double variance = spread * spread;
-  Height height{.value = -of_successes - 0.5 * u * u / variance,
-                .slope = -of_successes - u / variance,
-                .curvature = -of_successes - 1.0 / variance};
+  double height = -rate * map.exposure_of_successes - 0.5 * u * u / (spread * spread);
   for (const double exposure : map.exposures_of_failures) {
-    const double m = rate * exposure;
-    height.value += log_one_minus_exp(m);
-    if (m > 700.0) continue;  // sure to fail: nothing changes any more
-    const double q = m > 1e-8 ? m / (math::exp(m) - 1.0) : 1.0 - 0.5 * m;
-    height.slope += q;
-    height.curvature += q * (1.0 - m - q);
+    height += log_one_minus_exp(rate * exposure);
   }
   return height;
+}
+
+/// Where that peaks over u, and how wide the peak is.
+struct EffectPeak {
+  double u = 0.0, width = 0.0;
+};
+
+EffectPeak peak_over_u(const MapTrials& map, double log_rate, double spread) {
+  EffectPeak peak;
+  for (int i = 0; i < 50; ++i) {
+    const double rate = math::exp(std::min(log_rate + peak.u, 700.0));
+    const double of_successes = rate * map.exposure_of_successes;
+    double slope = -of_successes - peak.u / (spread * spread);
+    double curvature = -of_successes - 1.0 / (spread * spread);
+    for (const double exposure : map.exposures_of_failures) {
+      const double m = rate * exposure;
+      if (m > 700.0) continue;  // sure to fail: nothing changes any more
+      const double q = m > 1e-8 ? m / (math::exp(m) - 1.0) : 1.0 - 0.5 * m;
+      slope += q;
+      curvature += q * (1.0 - m - q);
+    }
+    peak.width = 1.0 / std::sqrt(-curvature);
+    // The log-likelihood is concave: Newton's step, cut where it would overshoot.
+    const double step = std::clamp(-slope / curvature, -2.0, 2.0);
+    peak.u += step;
+    // As near as the sum below needs it.
+    if (std::abs(step) < 0.01 * peak.width) break;
+  }
+  return peak;
 }
 
 /// The log of the map's likelihood with its effect integrated out: by the trapezoidal rule over 5.6
 /// widths on both sides of the peak, which is all but exact for so smooth a bell.
 double log_marginal(const MapTrials& map, double log_rate, double spread) {
-  double u = 0.0;
-  Height height = height_at(map, log_rate, u, spread);
-  for (int i = 0; i < 50; ++i) {
-    // The log-likelihood is concave: Newton's step, cut where it would overshoot.
-    const double step = std::clamp(-height.slope / height.curvature, -2.0, 2.0);
-    u += step;
-    height = height_at(map, log_rate, u, spread);
-    if (std::abs(step) < 1e-6) break;
-  }
-  const double width = 1.0 / std::sqrt(-height.curvature);
+  const EffectPeak peak = peak_over_u(map, log_rate, spread);
+  const double greatest = height_at(map, log_rate, peak.u, spread);
   constexpr double kStep = 0.8;
   double sum = 0.0;
   for (int i = -7; i <= 7; ++i) {
-    const double value = height_at(map, log_rate, u + kStep * i * width, spread).value;
-    sum += math::exp(value - height.value);
+    const double u = peak.u + kStep * i * peak.width;
+    sum += math::exp(height_at(map, log_rate, u, spread) - greatest);
   }
-  return height.value + math::log(kStep * width * sum / (spread * std::sqrt(math::kTau)));
+  return greatest + math::log(kStep * peak.width * sum / (spread * std::sqrt(math::kTau)));
 }
 
 double log_posterior(std::span<const MapTrials> maps, const Parameters& at) {
@@ -305,6 +313,7 @@ SuccessPrediction predict_success(const FailureRateFit& fit, double x,
   }
   prediction.share = middle_of(shares, confidence);
   prediction.failures_per_exposure = middle_of(rates, confidence);
+  prediction.median_failures_per_exposure = quantile(rates, 0.5);
   return prediction;
 }
 

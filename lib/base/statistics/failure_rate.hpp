@@ -38,7 +38,7 @@ struct FailureRateFit {
   double effective_share = 0.0;
 };
 
-inline constexpr std::size_t kFailureDraws = 4000;
+inline constexpr std::size_t kFailureDraws = 2000;
 
 /// The posterior by importance sampling about its mode. Priors, weak beside a dozen failures:
 /// log_rate normal about one failure in 100 units of exposure, with a standard deviation of 3;
@@ -53,6 +53,7 @@ struct SuccessPrediction {
   double rate = 0.0;                  ///< their mean
   Interval share;                  ///< of the missions that succeed, on `confidence` of such maps
   Interval failures_per_exposure;  ///< of such maps' rates, likewise
+  double median_failures_per_exposure = 0.0;
 };
 
 SuccessPrediction predict_success(const FailureRateFit& fit, double x,

@@ -46,8 +46,8 @@ FrozenMaps flown_maps(const SweepResult& result, const SweepSeeds& seeds) {
   return frozen_maps(maps);
 }
 
-FrozenMaps made_maps(const SweepSpec& sweep) {
-  std::vector<MapRecord> maps;
+std::vector<MapRow> measured_maps(const SweepSpec& sweep, std::int64_t mission_count) {
+  std::vector<MapRow> maps;
   const TrialSpec* last = nullptr;
   // One planner: a setting a map.
   const std::vector<PlannedTrial> trials = expand(sweep);
@@ -56,9 +56,18 @@ FrozenMaps made_maps(const SweepSpec& sweep) {
     last = trial.setting.get();
     poll_caller();
     const MapScene map(*trial.setting);
-    maps.push_back(make_map_record(*trial.setting, map.scene, sweep.trials));
+    maps.push_back({.record = make_map_record(*trial.setting, map.scene, mission_count),
+                    .generator = std::string(kind(trial.setting->map)),
+                    .spec_json = {},
+                    .map_seed = trial.setting->map_seed});
   }
-  return frozen_maps(maps);
+  return maps;
+}
+
+FrozenMaps made_maps(const SweepSpec& sweep) {
+  std::vector<MapRecord> records;
+  for (MapRow& map : measured_maps(sweep, sweep.trials)) records.push_back(std::move(map.record));
+  return frozen_maps(records);
 }
 
 std::string maps_problem(const SuiteSweep& sweep, Split split, const FrozenMaps& found) {

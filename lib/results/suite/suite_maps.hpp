@@ -18,7 +18,11 @@ FrozenMaps frozen_maps(const std::vector<MapRecord>& maps_by_seed);
 /// there.
 FrozenMaps flown_maps(const SweepResult& result, const SweepSeeds& seeds);
 
-/// Those of the maps of a sweep, made for it.
+/// The maps of a sweep of one planner, made for it and measured with so many missions each, in the
+/// order of their seeds; without spec.
+std::vector<MapRow> measured_maps(const SweepSpec& sweep, std::int64_t mission_count);
+
+/// The digests of these, with the sweep's missions.
 FrozenMaps made_maps(const SweepSpec& sweep);
 
 /// Why maps are not those that the suite froze, "" where they are, or where the suite froze none
