@@ -16,7 +16,7 @@ struct FlownMap {
   double traversability = 0.0;  ///< traversability_normalized_ratio; NaN where not measured
 };
 
-struct FlownTrial {
+struct FlownMission {
   std::size_t map = 0;  ///< index into FlownSet::maps
   double reference_length_m = 0.0;
   bool has_reached = false;
@@ -25,7 +25,7 @@ struct FlownTrial {
 /// One planner in one setting.
 struct FlownPlanner {
   std::string label;
-  std::vector<FlownTrial> trials;
+  std::vector<FlownMission> trials;
 };
 
 /// Flights that success is predicted from, or that a prediction is judged by.

@@ -18,8 +18,8 @@ namespace {
 std::vector<JudgedMap> judged_maps(const PlannerModel& model, const FlownSet& set,
                                    const FlownPlanner& flown, const std::set<std::string>& kinds,
                                    double confidence) {
-  std::map<std::size_t, std::vector<const FlownTrial*>> by_map;
-  for (const FlownTrial& trial : flown.trials) {
+  std::map<std::size_t, std::vector<const FlownMission*>> by_map;
+  for (const FlownMission& trial : flown.trials) {
     const FlownMap& map = set.maps[trial.map];
     if (kinds.contains(map.kind) && !std::isnan(map.traversability)) {
       by_map[trial.map].push_back(&trial);
@@ -32,7 +32,7 @@ std::vector<JudgedMap> judged_maps(const PlannerModel& model, const FlownSet& se
     row.planner = model.label;
     row.kind = map.kind;
     std::vector<double> lengths_m;
-    for (const FlownTrial* trial : trials) {
+    for (const FlownMission* trial : trials) {
       lengths_m.push_back(trial->reference_length_m);
       row.has_reached.push_back(trial->has_reached);
       row.reached_count += trial->has_reached ? 1 : 0;
@@ -167,7 +167,7 @@ std::vector<JudgedMap> leave_kinds_out(const FlownSet& set, double confidence) {
     FlownSet others = set;
     for (FlownPlanner& planner : others.planners) {
       std::erase_if(planner.trials,
-                    [&](const FlownTrial& trial) { return set.maps[trial.map].kind == kind; });
+                    [&](const FlownMission& trial) { return set.maps[trial.map].kind == kind; });
     }
     for (const PlannerModel& model : planner_models(others)) {
       const auto flown =

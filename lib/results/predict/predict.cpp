@@ -25,7 +25,7 @@ PlannerModel model_of(const FlownSet& set, const FlownPlanner& planner) {
   model.greatest_traversability = model.longest_m = -kInfinity;
   std::vector<ExposedTrial> trials;
   std::set<std::size_t> maps;
-  for (const FlownTrial& trial : planner.trials) {
+  for (const FlownMission& trial : planner.trials) {
     const FlownMap& map = set.maps[trial.map];
     const bool is_usable = !std::isnan(map.traversability) && trial.reference_length_m > 0.0;
     if (!is_usable) continue;
