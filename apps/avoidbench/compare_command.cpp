@@ -19,7 +19,7 @@ struct CompareCommand {
   std::string min_effect;
   std::string tolerances_file;
   std::string bless_file;
-  bool is_exact = false, is_real = false;
+  bool is_exact = false, is_sample = false, is_real = false;
   std::vector<std::string> more;  // simulations beside `now`
   bool must_be_complete = false;
   CompareSettings settings;
@@ -43,7 +43,7 @@ void bless(const CompareCommand& command) {
 
 /// Whether the exit code is that of a failed gate.
 bool compare_bits(const CompareCommand& command, const TablePair& tables) {
-  const ExactComparison comparison = compare_exactly(tables.base, tables.now);
+  const ExactComparison comparison = compare_exactly(tables.base, tables.now, command.is_sample);
   write_text(format_comparison(comparison, command.format), command.output);
   return !comparison.differences.empty();
 }
@@ -138,9 +138,15 @@ void add_options(CLI::App& command, CompareCommand& options) {
                    "Let metrics from the host's clock fail the comparison too");
   command.add_flag("--complete", options.must_be_complete,
                    "Exit code 1 also where NEW lacks trials of BASE");
-  command.add_flag("--exact", options.is_exact,
-                   "No statistics: outcomes and deterministic metrics must be equal to the last "
-                   "bit, and no trial may be missing");
+  CLI::Option* exact =
+      command.add_flag("--exact", options.is_exact,
+                       "No statistics: outcomes and deterministic metrics must be equal to the "
+                       "last bit, and no trial may be missing");
+  command
+      .add_flag("--sample", options.is_sample,
+                "NEW is a part of BASE, such as one --shard of its sweep: what it lacks is no "
+                "difference")
+      ->needs(exact);
   command
       .add_option("--bless", options.bless_file,
                   "Write BASE's trials to this table, to be committed, and compare nothing")
@@ -168,6 +174,7 @@ void add_compare_command(CLI::App& app) {
       "  avoidbench compare main.db branch.db --format junit --output compare.xml\n"
       "  avoidbench compare main.db --bless baseline.csv         # a table to commit\n"
       "  avoidbench compare baseline.csv branch.db --exact\n"
+      "  avoidbench compare paper.csv shard.db --exact --sample  # flown by run --shard 1/100\n"
       "  avoidbench compare r.db r.db --sweep forest@1:forest@2  # two revisions of one sweep\n"
       "  avoidbench compare r.db --planner ego:mine              # two planners, mission by "
       "mission\n"

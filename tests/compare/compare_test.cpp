@@ -234,6 +234,22 @@ TEST(CompareExact, NamesEveryDifference) {
   EXPECT_EQ(comparison.differences.back().before, "missing");
 }
 
+TEST(CompareExact, ASampleMayLackTrialsButHasNoOthers) {
+  const TrialTable base = finished_table("a.db", 2, 3);
+  TrialTable now = base;
+  now.trials.resize(2);
+  EXPECT_EQ(compare_exactly(base, now).differences.size(), 4U);
+  EXPECT_TRUE(compare_exactly(base, now, true).differences.empty());
+  EXPECT_EQ(compare_exactly(base, now, true).equal_count, 2);
+  now.trials.push_back(trial("reactive", 0, 0, true));
+  const ExactComparison comparison = compare_exactly(base, now, true);
+  ASSERT_EQ(comparison.differences.size(), 1U);
+  EXPECT_EQ(comparison.differences[0].before, "missing");
+  now.trials.erase(now.trials.begin(), now.trials.begin() + 2);
+  EXPECT_EQ(test::message_of([&] { compare_exactly(base, now, true); }),
+            "a.db has no trial of a.db");
+}
+
 TEST(CompareExact, TellsSignedZerosApartAndTakesNoValueForNoValue) {
   TrialTable base = finished_table("a.db", 1, 2);
   base.trials[0].metrics[5] = 0.0;

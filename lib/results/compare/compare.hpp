@@ -158,8 +158,10 @@ struct ExactComparison {
 };
 
 /// Compares outcomes, missions and every deterministic metric that both tables define, bit for bit;
-/// NaN equals NaN. A trial that one side lacks is a difference. Throws InputError where a metric's
-/// versions differ.
-ExactComparison compare_exactly(const TrialTable& base, const TrialTable& now);
+/// NaN equals NaN. A trial that one side lacks is a difference, except those of `base` where `now`
+/// is a sample of it. Throws InputError where a metric's versions differ, and where a sample has no
+/// trial of `base`.
+ExactComparison compare_exactly(const TrialTable& base, const TrialTable& now,
+                                bool is_sample = false);
 
 }  // namespace avoidbench

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <set>
 
+#include "base/input_error.hpp"
 #include "base/number_text.hpp"
 #include "compare/compare.hpp"
 #include "store/record_format.hpp"
@@ -67,13 +68,14 @@ void compare_pair(const TableTrial& before, const TableTrial& after,
 
 }  // namespace
 
-ExactComparison compare_exactly(const TrialTable& base, const TrialTable& now) {
+ExactComparison compare_exactly(const TrialTable& base, const TrialTable& now, bool is_sample) {
   ExactComparison result{
       .base = base.source, .now = now.source, .base_sweep = base.sweep, .new_sweep = now.sweep};
   const std::vector<ComparedColumn> columns = columns_of(base, now, result.warnings);
   for (const ComparedColumn& column : columns) result.metrics.push_back(column.name);
   std::set<std::string> planners;
   for (const TrialPair& pair : paired_trials(base, now)) {
+    if (is_sample && pair.after == nullptr) continue;
     planners.insert(pair.identity().planner);
     if (pair.is_whole()) {
       const std::size_t so_far = result.differences.size();
@@ -86,6 +88,9 @@ ExactComparison compare_exactly(const TrialTable& base, const TrialTable& now) {
                                     .before = pair.before != nullptr ? "there" : "missing",
                                     .after = pair.after != nullptr ? "there" : "missing"});
     }
+  }
+  if (is_sample && result.pair_count == 0) {
+    throw InputError(now.source + " has no trial of " + base.source);
   }
   result.planners.assign(planners.begin(), planners.end());
   return result;
