@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <iostream>
 
+#include "base/option_error.hpp"
 #include "base/words.hpp"
 #include "commands.hpp"
 #include "output.hpp"
@@ -73,6 +74,7 @@ void check_suite(const CheckOptions& options) {
 struct BoardOptions {
   std::vector<std::string> folders;
   std::string suite, page;
+  bool shows_agreement = false;
   OutputOptions output;
 };
 
@@ -83,6 +85,13 @@ void show_board(const BoardOptions& options) {
   std::vector<Section> sections;
   for (const Board& board : boards) {
     sections.push_back({.name = board.title, .title = board.title, .tables = board.tables()});
+  }
+  if (Table agreement = agreement_table(boards); options.shows_agreement) {
+    if (agreement.rows.empty()) {
+      throw OptionError("takes three results of one track and split at least", "agreement");
+    }
+    sections = {{.name = "agreement", .title = "Agreement of rankings"}};
+    sections.front().tables.push_back(std::move(agreement));
   }
   write_sections(sections, options.output);
   if (options.page.empty()) return;
@@ -168,6 +177,9 @@ void add_suite_command(CLI::App& app) {
   board.add_option("FOLDER", board_options.folders, "Folders of results")->required();
   add_typed(board, "--suite", board_options.suite, "FOLDER/TRACK",
             "Track of a suite of your own that was flown");
+  board.add_flag("--agreement", board_options.shows_agreement,
+                 "Show instead how far rankings agree: Kendall's tau of the score with each "
+                 "cell, and between splits and tracks");
   add_typed(board, "--page", board_options.page, "FILE",
             "Also write a page: one HTML file with S(v) of all results and links to their flights");
   add_output_options(board, board_options.output);

@@ -21,6 +21,22 @@ TEST(Correlation, SpearmanSeesOnlyOrder) {
   EXPECT_TRUE(std::isnan(spearman_correlation(constant, other)));
 }
 
+TEST(Correlation, KendallCountsPairsOfPairs) {
+  const std::vector<double> x{1, 2, 3, 4, 5}, falling{5, 4, 3, 2, 1}, swapped{2, 1, 4, 3, 5};
+  EXPECT_EQ(kendall_correlation(x, x), 1.0);
+  EXPECT_EQ(kendall_correlation(x, falling), -1.0);
+  EXPECT_EQ(kendall_correlation(x, swapped), 0.6);  // 8 of 10 agree
+  // 2 agree; 3 differ in one, 2 in the other.
+  const std::vector<double> tied{7, 7, 9}, other{1, 2, 3}, constant{4, 4, 4};
+  EXPECT_NEAR(kendall_correlation(tied, other), 2.0 / std::sqrt(6.0), 1e-15);
+  EXPECT_TRUE(std::isnan(kendall_correlation(constant, other)));
+  EXPECT_EQ(kendall_correlation(std::vector<double>{1, 2, std::nan("")}, other), 1.0);
+  // The example of SciPy's kendalltau.
+  EXPECT_NEAR(
+      kendall_correlation(std::vector<double>{12, 2, 1, 12, 2}, std::vector<double>{1, 4, 7, 1, 0}),
+      -0.47140452079103173, 1e-15);
+}
+
 TEST(Correlation, LikeScipy) {
   for (const auto& row : reference("correlation")) {
     const std::vector<double> x = numbers(row.at("x"));

@@ -75,6 +75,22 @@ double spearman_correlation(std::span<const double> x, std::span<const double> y
   return correlation_of(average_ranks(pairs.x), average_ranks(pairs.y));
 }
 
+double kendall_correlation(std::span<const double> x, std::span<const double> y) {
+  const Pairs pairs = whole_pairs(x, y);
+  const auto sign = [](double difference) { return (difference > 0.0) - (difference < 0.0); };
+  int agreement = 0, different_x = 0, different_y = 0;
+  for (std::size_t i = 0; i < pairs.x.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      const int of_x = sign(pairs.x[i] - pairs.x[k]), of_y = sign(pairs.y[i] - pairs.y[k]);
+      agreement += of_x * of_y;
+      different_x += of_x * of_x;
+      different_y += of_y * of_y;
+    }
+  }
+  if (different_x == 0 || different_y == 0) return kNaN;
+  return agreement / std::sqrt(static_cast<double>(different_x) * different_y);
+}
+
 Interval correlation_interval(double r, std::size_t count, bool is_spearman, double confidence) {
   if (count < 4 || !(std::abs(r) < 1.0)) return {kNaN, kNaN};
   // Fisher's z = artanh r, about normal.

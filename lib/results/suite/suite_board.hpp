@@ -32,6 +32,11 @@ struct Board {
 std::vector<Board> boards_of(const std::vector<std::string>& folders,
                              const std::string& own_track = "");
 
+/// How far rankings agree: of each board with three competitors or more, Kendall's τ between their
+/// scores and their v90 of each cell, and between their scores on two boards (splits or tracks, for
+/// results of the same label). Intervals are over draws of maps. Empty where there are fewer.
+Table agreement_table(const std::vector<Board>& boards);
+
 /// Their page: tables, S(v) of all results, and of each what flew, how it failed and links to its
 /// files, relative to `page_folder`.
 nlohmann::ordered_json board_page(const std::vector<Board>& boards, const PageOrigin& origin,
