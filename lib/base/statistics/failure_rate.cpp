@@ -170,7 +170,7 @@ Peak peak_of(std::span<const MapTrials> maps, Parameters at) {
     Matrix information{};
     derivatives(maps, peak.at, gradient, information);
     // Away from the peak the surface may bend upwards: ridges are added until it does not.
-    for (double ridge = 0.0; !cholesky(information, peak.lower);) {
+    for (double ridge = 0.0; !cholesky(information, peak.lower) && ridge < 1e9;) {
       const double more = ridge == 0.0 ? 1e-3 : 9.0 * ridge;
       for (std::size_t k = 0; k < 3; ++k) information[k][k] += more;
       ridge += more;
@@ -178,7 +178,7 @@ Peak peak_of(std::span<const MapTrials> maps, Parameters at) {
     const Parameters step = solve_transposed(peak.lower, solve(peak.lower, gradient));
     double length = 1.0, value = 0.0;
     Parameters to{};
-    for (; length > 1e-6; length *= 0.5) {
+    for (int halvings = 0; halvings < 20; ++halvings, length *= 0.5) {
       for (std::size_t k = 0; k < 3; ++k) to[k] = peak.at[k] + length * step[k];
       value = log_posterior(maps, to);
       if (value >= peak.value) break;
