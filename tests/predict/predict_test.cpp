@@ -108,6 +108,8 @@ TEST(Predict, OtherFlightsOfThePlannersInCommon) {
   std::erase_if(later.planners, [](const FlownPlanner& one) { return one.label == "blind"; });
   const auto judged = judged_by(flown(4, 10, 10), later, 0.9);
   EXPECT_EQ(judged.size(), 6U);
+  later.planners[0].label = "ego_real";  // as `import` calls real flights
+  EXPECT_EQ(judged_by(flown(4, 10, 10), later, 0.9).size(), 6U);
   later.planners[0].label = "mine";
   EXPECT_EQ(problem_of([&] { judged_by(flown(4, 2, 2), later, 0.9); }),
             "no planner of these flights (mine) is one that was flown before: blind, ego");

@@ -184,7 +184,9 @@ std::vector<JudgedMap> judged_by(const FlownSet& set, const FlownSet& flown, dou
   std::vector<JudgedMap> judged;
   for (const PlannerModel& model : planner_models(set)) {
     for (const FlownPlanner& planner : flown.planners) {
-      if (planner.label != model.label) continue;
+      const bool is_same =
+          planner.label == model.label || planner.label == model.label + std::string(kRealLabel);
+      if (!is_same) continue;
       const auto maps = judged_maps(model, flown, planner, kinds_of(flown), confidence);
       judged.insert(judged.end(), maps.begin(), maps.end());
     }

@@ -56,7 +56,8 @@ struct JudgedMap {
 /// InputError where there is one kind alone.
 std::vector<JudgedMap> leave_kinds_out(const FlownSet& set, double confidence);
 
-/// The maps of `flown`, predicted from the flights of the planners of the same label in `set`.
+/// The maps of `flown`, predicted from the flights of the planners of the same label in `set`; of
+/// real flights the label of the simulated planner counts.
 /// Throws InputError where they have no planner in common.
 std::vector<JudgedMap> judged_by(const FlownSet& set, const FlownSet& flown, double confidence);
 
