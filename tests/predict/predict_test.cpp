@@ -147,6 +147,14 @@ SweepResult sweep_of(const std::string& sensor, const std::string& map_key) {
   return sweep;
 }
 
+TEST(FlownSet, WhatASweepVariesOfItsSensorIsASetting) {
+  const SweepInfo sweep{.name = "s",
+                        .spec_json = R"({"axes": [{"path": "sensor.width_px", "values": [64, 80]},
+    {"path": "map.poisson_radius_m", "values": [3, 4]}]})"};
+  EXPECT_EQ(setting_fields(sweep),
+            (std::vector<std::string>{"sensor", "vehicle", "sensor.width_px"}));
+}
+
 TEST(FlownSet, SettingsAreApartOnlyWhereTheyDiffer) {
   FlownSet same, apart;
   add_sweeps(same, {sweep_of("depth_ideal", "a"), sweep_of("depth_ideal", "b")});

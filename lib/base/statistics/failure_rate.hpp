@@ -47,7 +47,7 @@ inline constexpr std::size_t kFailureDraws = 2000;
 FailureRateFit fit_failure_rate(std::span<const ExposedTrial> trials,
                                 std::size_t draw_count = kFailureDraws);
 
-/// Of missions on one map that is none of those fitted.
+/// Of missions on one more map, which is not among those fitted.
 struct SuccessPrediction {
   std::vector<double> probabilities;  ///< of success, one a mission
   double rate = 0.0;                  ///< their mean

@@ -12,8 +12,6 @@
 namespace avoidbench {
 namespace {
 
-constexpr const char* kSensorField = "sensor";
-
 /// A trial's value of a field, as words: nothing where the sweep does not vary it.
 std::string value_text(const SweepResult& sweep, const TrialSummary& trial,
                        const std::string& field) {
@@ -68,11 +66,10 @@ FlownPlanner& FlownSet::planner_of(const std::string& label) {
 }
 
 std::vector<std::string> setting_fields(const SweepInfo& sweep) {
-  std::vector<std::string> fields{kSensorField};
+  std::vector<std::string> fields{"sensor", "vehicle"};
   for (const std::string& axis : axis_fields({&sweep, 1})) {
-    const bool is_of_sensor = axis.starts_with(kSensorField);
-    if (axis.starts_with("map.") || axis == kSeedField || is_of_sensor) continue;
-    fields.push_back(axis);
+    const bool is_of_maps = axis.starts_with("map.") || axis == kSeedField;
+    if (!is_of_maps && !contains(fields, axis)) fields.push_back(axis);
   }
   return fields;
 }

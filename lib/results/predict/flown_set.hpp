@@ -41,8 +41,8 @@ struct FlownSet {
   std::map<std::string, std::size_t> map_at_;
 };
 
-/// The fields of trials that tell a planner's settings apart: its sensor, and what the sweep varies
-/// except its maps. Those that Database::read_sweep() is to read for add_sweeps().
+/// The fields of trials that tell a planner's settings apart: its sensor and vehicle, and what the
+/// sweep varies except its maps. Those that Database::read_sweep() is to read for add_sweeps().
 std::vector<std::string> setting_fields(const SweepInfo& sweep);
 
 /// Adds finished trials. A planner that flew in several settings (over all these sweeps) is one
