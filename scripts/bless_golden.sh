@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# bless_golden.sh "REASON": writes results/baselines/ci*.csv again after a wanted change of results, and puts REASON
-# into CHANGELOG.md under "Results change". It first shows what changes; where nothing does, nothing is written.
-# AVOIDBENCH is the program to fly with (default: build/release/avoidbench).
+# bless_golden.sh "REASON": after an intended change of results, rewrites results/baselines/ci*.csv and adds REASON to
+# CHANGELOG.md under "Results change". It first shows what changes; if nothing does, nothing is written.
+# AVOIDBENCH: the program to fly with (default: build/release/avoidbench).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -11,7 +11,7 @@ if [ $# -ne 1 ] || [ -z "${reason//[[:space:]]/}" ]; then
   exit 2
 fi
 program=${AVOIDBENCH:-build/release/avoidbench}
-command -v "$program" >/dev/null || { echo "$program is not there: build it first" >&2; exit 2; }
+command -v "$program" >/dev/null || { echo "$program does not exist: build it first" >&2; exit 2; }
 
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
@@ -26,7 +26,7 @@ for sweep in configs/sweeps/ci*.yaml; do
   changed=1
 done
 if [ $changed = 0 ]; then
-  echo "nothing changes: nothing written" >&2
+  echo "no changes: nothing written" >&2
   exit 0
 fi
 python3 - "$reason" <<'PYTHON'
@@ -48,4 +48,4 @@ lines.insert(heading + 1, f"- {reason}")
 path.write_text("\n".join(lines) + "\n")
 PYTHON
 cp "$folder"/*.csv results/baselines/
-echo "written: results/baselines and a line in CHANGELOG.md under Results change" >&2
+echo "wrote results/baselines and a line in CHANGELOG.md under Results change" >&2

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# changed_files.sh: the files that differ from the main branch, or on the main branch itself those of its last thirty
-# commits, with what is not committed yet. One path per line, the latest changed first. A file that only moved has not
-# changed; one that moved later is called as it is now.
+# changed_files.sh: prints the files that differ from the main branch (on the main branch: those changed in its last
+# thirty commits) and all uncommitted changes. One path per line, the latest change first. A file that was only moved is
+# not listed; a file moved after its change is listed under its present name.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

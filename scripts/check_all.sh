@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# What tests do not see: format, the warnings of another compiler (build/clang, whose program scripts/test.sh can compare bits with),
-# clang-tidy and sanitizers. The last two look at what changed (scripts/changed_files.sh) and at a rotating sixteenth of the rest.
-#   --all    for every night: each source is compiled by itself with clang and finds its own headers, clang-tidy and the sanitizers look at
-#            everything, and the fuzz targets run for a minute each
+# Checks what tests do not: format, warnings of another compiler (build/clang, with which scripts/test.sh can compare bits), clang-tidy and
+# sanitizers. The last two check what changed (scripts/changed_files.sh) and a rotating sixteenth of the rest.
+#   --all    for nightly runs: clang compiles each source separately, which finds missing includes; clang-tidy and the sanitizers check
+#            everything; and each fuzz target runs for a minute
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

@@ -1,11 +1,15 @@
 #!/usr/bin/env python3
-"""Checks that each room of lib/ includes only itself, rooms before it in lib/ORDER and the third parties named there,
-that no wing includes one that comes after it or stands beside it, that planners include only the SDK (but not what
-trains them), that no message of lib/ names an option of the command line, that no code uses what would make results
-differ between machines, that no two rooms define a type of one name (the linker would take either's functions for both,
-without a word), and that the drawing in lib/README.md shows the includes as they are.
+"""Checks the order of the rooms and some rules of the code:
 
-    check_layers.py [FOLDER] [--draw]    --draw: writes the drawing again"""
+- a room of lib/ includes only itself, rooms before it in lib/ORDER and the third parties named there
+- a wing includes no later wing, and planner and sim do not include each other
+- planners include only the SDK (except the code that trains them)
+- no message of lib/ names a command-line option
+- no code uses anything that would make results differ between machines
+- no two rooms define a type of the same name (the linker would silently take either's functions for both)
+- the drawing in lib/README.md matches the includes
+
+    check_layers.py [FOLDER] [--draw]    --draw: rewrites the drawing"""
 
 import pathlib
 import re
@@ -13,7 +17,7 @@ import sys
 
 arguments = [word for word in sys.argv[1:] if word != "--draw"]
 root = pathlib.Path(arguments[0] if arguments else ".").resolve()
-BESIDE = {("planner", "sim")}  # wings that stand side by side
+BESIDE = {("planner", "sim")}  # independent wings
 order, wings, allowed, includes = [], {}, {}, {}
 for line in (root / "lib/ORDER").read_text().splitlines():
     if line and not line.startswith("#"):
@@ -23,8 +27,7 @@ for line in (root / "lib/ORDER").read_text().splitlines():
         wings[room] = wing
         allowed[room] = set(third_parties.split())
 
-# The first part of an angle-bracket include -> the third party it belongs to. Others are the language's or the
-# system's.
+# The first part of an angle-bracket include -> its third party. Others belong to the language or the system.
 THIRD_PARTIES = {
     "Eigen": "Eigen",
     "embree3": "embree3",
@@ -55,19 +58,16 @@ UNREPEATABLE = [
     ),
     (r"std::unordered_(map|set)", "its order differs between libraries"),
 ]
-# The folder of a planner's own that makes what it is trained with: a program that knows the map, and no part of the
-# planner.
+# A planner's folder with the program that makes its training data: it knows the map and is not part of the planner.
 TEACHER = "expert"
-# Where the C library's functions of that name are replaced by repeatable ones, and where they are looked for in
-# planners.
+# The files that replace these functions of the C library by repeatable ones, or search planners for them.
 REPEATABLE = {
     "lib/sdk/planner_api/avoidbench/repeatable.hpp",
     "lib/sdk/planner_api/avoidbench/repeatable/chance.cpp",
     "lib/planner/conformance/import_notes.cpp",
 }
-# Messages of lib/ name no options of the command line: an OptionError has the option's name, and the program writes it
-# out. Allowed are whole words, which are arguments of a process, and the name of the place where overrides of keys
-# stand.
+# Messages of lib/ name no command-line options: an OptionError has the option's name, and the program writes it.
+# Allowed are single words, which are arguments of a process, and the place name of key overrides.
 OPTION = re.compile(r"(?<![\w-])--[a-z]")
 LITERAL = re.compile(r'"((?:[^"\\]|\\.)*)"')
 ALLOWED_LITERALS = {("lib/base/yaml/overrides.cpp", "--set ")}
@@ -89,9 +89,9 @@ def check_include(file, number, kind, path, room):
             problem(file, number, f"room {room} may not include {path}: lib/ORDER does not name {party}")
         return
     if first not in order:
-        problem(file, number, f'"{path}" is no room of lib/ORDER')
+        problem(file, number, f'"{path}" is not a room of lib/ORDER')
     elif first != room and (wings[room], wings[first]) in BESIDE:
-        problem(file, number, f"wing {wings[room]} includes {path}, but {wings[first]} stands beside it")
+        problem(file, number, f"wing {wings[room]} includes {path}, which must stay independent of it")
     elif first != room and order.index(first) < order.index(room):
         includes.setdefault(room, set()).add(first)
     elif first != room:
@@ -134,8 +134,7 @@ TYPE = re.compile(r"(?:struct|class|enum class) (\w+)(?: final)?(?: :[^:].*)?(?:
 
 
 def types_of(file):
-    """The types that a file defines outside of other types and of unnamed namespaces, as (line, name with its
-    namespace)."""
+    """The types that a file defines outside other types and unnamed namespaces, as (line, name with its namespace)."""
     spaces = []
     for number, line in enumerate(file.read_text().splitlines(), 1):
         if match := NAMESPACE.match(line):
@@ -154,12 +153,12 @@ for file in sources(root / "lib"):
 
 
 def below(wing, uses):
-    """All wings that a wing includes, itself or through others."""
+    """All wings that a wing includes, directly or through others."""
     return {other for direct in uses[wing] for other in {direct} | below(direct, uses)}
 
 
 def drawing():
-    """The wings, their rooms and who includes whom as Mermaid, without what follows from other arrows."""
+    """The wings, their rooms and their includes as Mermaid, without arrows that follow from others."""
     in_order = list(dict.fromkeys(wings.values()))
     uses = {wing: set() for wing in in_order}
     for room, others in includes.items():
@@ -186,7 +185,7 @@ if readme.exists():
         problem(
             readme,
             text[: text.find("```mermaid")].count("\n") + 1,
-            "the drawing is not of these includes: scripts/check_layers.py --draw",
+            "the drawing does not match the includes: scripts/check_layers.py --draw",
         )
 
 print("\n".join(problems) if problems else f"{len(order)} rooms in order")

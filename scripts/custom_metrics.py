@@ -1,18 +1,24 @@
-"""Computes metrics of one's own: `avoidbench report --metrics-from mine.py` runs this.
+"""Computes custom metrics: `avoidbench report --metrics-from mine.py` runs this.
 
 usage: custom_metrics.py FILE.py DATABASE.db
 
-Each public function of FILE.py is a metric. It takes one flight and returns a number, or None where the metric is not
-defined; the first line of its docstring describes it: "Turns per metre [1/m]; less is better".
+Each public function of FILE.py is a metric. It takes one flight and returns a number, or None if the metric is not
+defined. The first line of its docstring describes it: "Turns per metre [1/m]; less is better".
 
-A flight has, all in the world frame (ENU, z up), for n samples in order of time:
-  trial                     a dict: the trial's row of the view trial_table (outcome, planner, end_time_s, all metrics,
-  …) time_s                    (n,)   simulated position_world_m          (n, 3) velocity_world_mps        (n, 3)
-  acceleration_world_mps2   (n, 3) q_world_body              (n, 4) w x y z rates_body_radps          (n, 3)
-  reference_world_m         (n, 3) commanded position; NaN where there was none clearance_m               (n,)   between
-  body and the nearest surface rotor_power_w             (n,) calls                     a list of dicts: time_s,
-  cpu_time_s, wall_time_s, status, command_kind of each planner's call
-n is 0 where the planner crashed before it flew.
+A flight has these attributes. Arrays have n samples in order of time, in the world frame (ENU, z up) if not named
+otherwise. n is 0 if the planner crashed before it flew.
+
+  trial                     dict: the trial's row of the view trial_table (outcome, planner, end_time_s, all metrics, …)
+  time_s                    (n,)    simulated
+  position_world_m          (n, 3)
+  velocity_world_mps        (n, 3)
+  acceleration_world_mps2   (n, 3)
+  q_world_body              (n, 4)  w x y z
+  rates_body_radps          (n, 3)
+  reference_world_m         (n, 3)  commanded position; NaN where there was none
+  clearance_m               (n,)    between body and the nearest surface
+  rotor_power_w             (n,)
+  calls                     list of dicts, one per planner call: time_s, cpu_time_s, wall_time_s, status, command_kind
 """
 
 import functools
@@ -28,7 +34,7 @@ import zlib
 
 import numpy
 
-# Of one sample in the table trajectories: name and first and last column (schema.sql).
+# Values of a sample in the table trajectories: name, first and last column (schema.sql).
 COLUMNS = {
     "time_s": (0, 0),
     "position_world_m": (1, 3),
@@ -45,7 +51,7 @@ CALL_COLUMNS = ("time_s", "cpu_time_s", "wall_time_s", "status", "command_kind",
 
 
 class Flight:
-    """One stored trial. What is read from the database is read when it is asked for."""
+    """One stored trial. Data is read from the database on first use."""
 
     def __init__(self, trial, database):
         self.trial = trial
@@ -88,21 +94,21 @@ def metrics_of(file):
         if inspect.isfunction(function) and function.__module__ == module.__name__ and not name.startswith("_")
     ]
     if not found:
-        raise SystemExit(f"{file}: has no public function: each is a metric")
+        raise SystemExit(f"{file}: expected a public function for each metric, found none")
     for function in found:
         if len(inspect.signature(function).parameters) != 1:
             raise SystemExit(
-                f"{file}:{function.__code__.co_firstlineno}: {function.__name__} is to take one argument, the flight"
+                f"{file}:{function.__code__.co_firstlineno}: {function.__name__} must take one argument, the flight"
             )
     return found
 
 
 def value_of(function, flight, file):
-    """The metric of one flight; None for NaN, which JSON lacks."""
+    """The metric of one flight; None for NaN and infinity, which JSON lacks."""
     try:
         value = function(flight)
         value = None if value is None else float(value)
-    except Exception:  # whatever it is, it is the user's to see, with the trial that brought it up
+    except Exception:  # show any error to the user, with the trial that caused it
         traceback.print_exc()
         raise SystemExit(f"{file}: {function.__name__} failed in trial {flight.trial['trial_key'][:12]}") from None
     return None if value is None or not math.isfinite(value) else value

@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# fresh_system.sh [SUITE [COMMAND…]]: do the package lists name all that is needed? In a Debian with only its base
-# system (SUITE: bookworm, trixie) installs the list `build` and configures as quickstart.sh does, installs the list
-# `test` and configures the builds of test.sh; then runs COMMAND there in a copy of this working tree:
+# fresh_system.sh [SUITE [COMMAND…]]: checks that the package lists are complete. In a Debian with only its base system
+# (SUITE: bookworm, trixie) it installs the list `build` and configures as quickstart.sh does, then installs the list
+# `test` and configures the builds of test.sh. Then it runs COMMAND there in a copy of this working tree, for example
 # `scripts/fresh_system.sh trixie scripts/test.sh`.
-#   --bare FOLDER SUITE COMMAND…   no package is installed; COMMAND runs in a copy of FOLDER instead: does what lies
-#   there need nothing else?
-# Needs root, debootstrap, Debian's mirror, 5 GB in TMPDIR (/var/tmp) and some five minutes; exit code 77 where one of
-# these is missing. What it makes is removed at the end; with FRESH_SYSTEM_FOLDER=FOLDER the base system and the
-# compilers' cache are kept there for the next call.
+#   --bare FOLDER SUITE COMMAND…   installs no package and runs COMMAND in a copy of FOLDER: checks that the files there
+#   need nothing else
+# Needs root, debootstrap, Debian's mirror, 5 GB in TMPDIR (/var/tmp) and some five minutes; exit code 77 if one of
+# these is missing. Everything is removed at the end, except with FRESH_SYSTEM_FOLDER=FOLDER: then the base system and
+# the compiler cache are kept there for the next call.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -21,8 +21,7 @@ shift || true
 cannot() { echo "fresh_system: not run: $*" >&2; exit 77; }
 [ "$(id -u)" = 0 ] || cannot "needs root"
 command -v debootstrap >/dev/null || cannot "needs debootstrap: scripts/install_packages.sh slow"
-# Mounts and processes live in namespaces of their own and end with them, so that nothing but a folder is to be removed
-# here.
+# Mounts and processes are in separate namespaces and end with them, so only a folder has to be removed here.
 if [ -z "${FRESH_SYSTEM_WORK:-}" ]; then
   unshare --mount --pid --fork true 2>/dev/null || cannot "may not mount"
   work=$(mktemp -d "${TMPDIR:-/var/tmp}/fresh_system.XXXXXX")
@@ -46,10 +45,10 @@ if [ ! -d "$base" ]; then
   rm -rf --one-file-system "$base.part"
   if ! debootstrap --variant=minbase "$suite" "$base.part" "$mirror" >"$work/debootstrap.log" 2>&1; then
     tail -n 5 "$work/debootstrap.log" >&2
-    ! grep -q 'Failed getting release file' "$work/debootstrap.log" || cannot "the mirror can't be reached"
+    ! grep -q 'Failed getting release file' "$work/debootstrap.log" || cannot "can't reach the mirror"
     exit 1
   fi
-  # No service of a package is started, and apt reaches the mirror as it does outside.
+  # Start no services of packages; let apt reach the mirror as it does outside.
   printf '#!/bin/sh\nexit 101\n' >"$base.part/usr/sbin/policy-rc.d" && chmod +x "$base.part/usr/sbin/policy-rc.d"
   apt-config dump | grep -E '^Acquire::(https?|ftp|Check-|Retries)' >"$base.part/etc/apt/apt.conf.d/99outside" || true
   mv "$base.part" "$base"
@@ -60,7 +59,7 @@ mkdir "$root/ccache" "$root/src"
 mount -t proc proc "$root/proc"
 mount --rbind /dev "$root/dev"
 mount --bind "$cache" "$root/ccache"
-# pip trusts whom it trusts outside, too: a proxy may stand between.
+# pip trusts the same certificates as outside, since there may be a proxy.
 certificates=${PIP_CERT:-${SSL_CERT_FILE:-}}
 [ ! -f "$certificates" ] || cp "$certificates" "$root/etc/outside_certificates.pem"
 inside() {
@@ -89,6 +88,6 @@ configured --preset clang
 for program in clang-format clang-tidy clang++ llvm-symbolizer ctest git python3 valgrind; do
   inside which "$program" >/dev/null || { echo "no list names $program" >&2; exit 1; }
 done
-inside scripts/install_packages.sh test 2>&1 | grep . && { echo "install_packages.sh: the second time it should have nothing to do" >&2; exit 1; }
+inside scripts/install_packages.sh test 2>&1 | grep . && { echo "install_packages.sh: a second call should have nothing to do" >&2; exit 1; }
 echo "nothing is missing on $suite"
 [ $# -eq 0 ] || inside "$@"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # fuzz.sh [SECONDS [TARGET…]]: builds the fuzz targets (point_cloud, mesh, sweep, log, database, database_edits) with
-# address and undefined-behaviour sanitizers (build/fuzz) and feeds each for SECONDS (default 60), one after the other.
-# What they find interesting stays in build/fuzz/corpus, a finding in build/fuzz/findings.
+# address and undefined-behaviour sanitizers (build/fuzz) and runs each for SECONDS (default 60), one after the other.
+# Interesting inputs stay in build/fuzz/corpus, failures in build/fuzz/findings.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

@@ -1,10 +1,16 @@
 #!/usr/bin/env bash
-# install_packages.sh build|python|ros|ros_live|test|slow|plot: installs the Debian/Ubuntu packages that a build, the
-# Python package, planners written for ROS 1 (docs/ros.md), real ROS 1 nodes, the tests, the tests labelled slow too, or
-# the pictures of `report --plots` need, and says which. Does nothing, and needs no root, if they are all there.
+# install_packages.sh LIST: installs the Debian/Ubuntu packages of a list and prints their names. If all are installed,
+# it does nothing and needs no root. Lists:
+#   build      the program
+#   python     the Python package
+#   ros        planners written for ROS 1 (docs/ros.md)
+#   ros_live   real ROS 1 nodes
+#   test       all tests except slow ones
+#   slow       all tests
+#   plot       pictures of `report --plots`
 set -euo pipefail
 
-# make: CMake's own choice where nothing says ninja, as for planners outside of the repository.
+# make: CMake's default without ninja, used for planners outside the repository.
 build_packages=(
   g++ cmake ninja-build make ccache pkg-config git ca-certificates
   libeigen3-dev libembree-dev libopencv-core-dev libopencv-imgproc-dev libopencv-calib3d-dev libyaml-cpp-dev libcli11-dev
@@ -13,19 +19,18 @@ build_packages=(
 plot_packages=(python3 python3-matplotlib python3-numpy python3-pandas)  # scripts/plot, scripts/custom_metrics.py
 python_packages=(python3-venv python3-dev)
 ros_packages=(g++ cmake make python3 python3-yaml libeigen3-dev libopencv-core-dev libopencv-imgproc-dev libboost-dev)
-# What planners/ros_bridge needs of ROS 1 itself.
+# The parts of ROS 1 itself that planners/ros_bridge needs.
 ros_live_packages=(
   python3 python3-numpy python3-yaml python3-rospy python3-rosmaster python3-roslaunch python3-rosparam python3-std-msgs
   python3-geometry-msgs python3-nav-msgs python3-sensor-msgs python3-trajectory-msgs python3-rosgraph-msgs
 )
-# llvm: its symbolizer; without it the sanitizers can't name functions, and what tests/support/leaks.supp names is not
-# found.
+# llvm: its symbolizer. Without it the sanitizers can't name functions, so tests/support/leaks.supp matches nothing.
 test_packages=(
   "${plot_packages[@]}" "${python_packages[@]}" "${ros_packages[@]}" clang clang-format clang-tidy libclang-rt-14-dev llvm
   libgtest-dev libgmock-dev python3-jsonschema valgrind locales npm chromium ffmpeg shellcheck
 )
-# A Slurm of one node, for the test of scripts/slurm (the system's own services play no part), and what
-# scripts/fresh_system.sh needs. ROS 1 where the system still has it: its test says that it was passed over.
+# A one-node Slurm for the test of scripts/slurm (independent of the system's services), and debootstrap for
+# scripts/fresh_system.sh. ROS 1 if the system still packages it; otherwise its test is skipped with a message.
 slow_packages=(munge slurmctld slurmd slurm-client debootstrap)
 if apt-cache show python3-rospy >/dev/null 2>&1; then slow_packages+=("${ros_live_packages[@]}"); fi
 
@@ -48,7 +53,7 @@ find_missing() {
     if [ "$package" = libclang-rt-14-dev ] && ! apt-cache show "$package" >/dev/null 2>&1; then
       package=libclang-rt-dev  # newer systems name it without the version
     fi
-    # npm comes with Node.js from elsewhere, too; where there is no package of the browser its test is passed over.
+    # npm may come with a Node.js from elsewhere. Without a browser package, the browser's test is skipped.
     if [ "$package" = npm ] && command -v npm >/dev/null; then continue; fi
     if [ "$package" = chromium ] && ! apt-cache show "$package" >/dev/null 2>&1; then continue; fi
     is_installed "$package" || missing+=("$package")
@@ -59,10 +64,10 @@ find_missing
 
 as_root=()
 if [ "$(id -u)" -ne 0 ]; then
-  command -v sudo >/dev/null || { echo "these packages are missing, and there is no sudo to install them: ${missing[*]}" >&2; exit 2; }
+  command -v sudo >/dev/null || { echo "missing packages, and no sudo to install them: ${missing[*]}" >&2; exit 2; }
   as_root=(sudo)
 fi
 "${as_root[@]}" apt-get update -qq
-find_missing  # once more, now that apt knows what this system has
+find_missing  # again, now that apt has current package lists
 echo "installing packages: ${missing[*]}" >&2
 "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null

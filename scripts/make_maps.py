@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Makes the maps of maps/: courtyard.glb and thicket.pcd. Needs nothing but Python.
+"""Makes the maps of maps/: courtyard.glb and thicket.pcd. Needs only Python.
 
 usage: scripts/make_maps.py [FOLDER]      (default: maps/ of this repository)
 """
@@ -67,7 +67,7 @@ class Glb:
         self.json["scenes"][0]["nodes"].append(len(self.json["nodes"]) - 1)
 
     def box(self, name, low, high, material):
-        """A node of its own, at the middle of the box's foot."""
+        """A separate node, at the centre of the box's base."""
         foot = ((low[0] + high[0]) / 2, (low[1] + high[1]) / 2, low[2])
         self.node(
             name,
@@ -164,7 +164,7 @@ def courtyard(path):
 
 
 def lzf_compressed(data):
-    """LZF, as LibLZF reads it: greedy, the last place of each three bytes is remembered."""
+    """LZF, as LibLZF reads it: greedy, remembering the last position of each three bytes."""
     out, literal, seen, at = bytearray(), bytearray(), {}, 0
 
     def flush():

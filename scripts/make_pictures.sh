@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# make_pictures.sh: draws the pictures of README.md, docs/maps.md and docs/sensors.md again with
-# build/release/avoidbench. AVOIDBENCH_PYTHON: a Python with matplotlib and pandas (default: python3).
+# make_pictures.sh: redraws the pictures of README.md, docs/maps.md and docs/sensors.md with build/release/avoidbench.
+# AVOIDBENCH_PYTHON: a Python with matplotlib and pandas (default: python3).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 program=build/release/avoidbench out=docs/images

@@ -1,7 +1,6 @@
 #!/usr/bin/env python3
-"""Writes tests/statistics/reference.json: what SciPy says of the cases that the tests of lib/base/statistics are held
-against. Needs python3-scipy (any version from 1.7 on); the tests need only the file. Run it again when a case is
-added."""
+"""Writes tests/statistics/reference.json: SciPy's answers for the test cases of lib/base/statistics. Needs
+python3-scipy (version 1.7 or later); the tests need only the file. Run it again after adding a case."""
 
 import itertools
 import json
@@ -31,7 +30,7 @@ reference["normal_cdf"] = [
 
 
 def t_quantile(p, freedom):
-    """SciPy 1.10's t.ppf has ten digits only; two steps of Newton's method give the rest."""
+    """SciPy 1.10's t.ppf has only ten digits; two steps of Newton's method give the rest."""
     t = stats.t.ppf(p, freedom)
     for _ in range(2):
         t -= (stats.t.cdf(t, freedom) - p) / stats.t.pdf(t, freedom)
@@ -262,7 +261,7 @@ samples.append((times.tolist(), (random.random(60) < 0.6).astype(int).tolist()))
 reference["survival"] = [{"times_s": t, "is_event": e, "points": kaplan_meier(t, e)} for t, e in samples]
 
 
-# Power of Fisher's test, by going through all outcomes.
+# Power of Fisher's test, by enumerating all outcomes.
 def power(rate_1, rate_2, n, alpha=0.05):
     first, second = stats.binom.pmf(range(n + 1), n, rate_1), stats.binom.pmf(range(n + 1), n, rate_2)
     return sum(
@@ -279,8 +278,8 @@ reference["power"] = [
 ]
 
 
-# Failures over the way flown, maps as random effect: the posterior's moments on a grid. Effects of maps by Gauss and
-# Hermite's rule, the three parameters by sums over evenly spaced values. Priors as in failure_rate.hpp.
+# Failures over the distance flown, maps as random effect: the posterior's moments on a grid. Effects of maps by
+# Gauss-Hermite quadrature, the three parameters by sums over evenly spaced values. Priors as in failure_rate.hpp.
 def failure_posterior(trials, asked):
     maps = sorted({row[0] for row in trials})
     hardness = numpy.array([next(x for m, x, _, _ in trials if m == number) for number in maps])

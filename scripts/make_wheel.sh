@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# make_wheel.sh [FOLDER]: makes a wheel in FOLDER (build/wheels) for the Python of build/venv that carries the program,
-# its planners, its data, the extension and every library that they link to, apart from the C and C++ libraries: it runs
-# where these are no older than here. The last line is the wheel's path.
+# make_wheel.sh [FOLDER]: makes a wheel in FOLDER (build/wheels) for the Python of build/venv. It contains the program,
+# its planners, its data, the extension and every library that they link to, except the C and C++ libraries: it runs
+# where these are no older than here. Prints the wheel's path last.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -18,8 +18,8 @@ trap 'rm -rf "$work"' EXIT
 echo "building" >&2
 "$python" -m pip wheel . --quiet --disable-pip-version-check --no-deps --no-build-isolation --wheel-dir "$work/plain"
 
-echo "taking the libraries along" >&2
-# The C library that it was linked to is the oldest that will do.
+echo "adding the libraries" >&2
+# The C library that it was linked to is the oldest that works.
 glibc=$(getconf GNU_LIBC_VERSION | grep -oE '[0-9]+[.][0-9]+')
 "$python" scripts/repair_wheel.py repair --plat "manylinux_${glibc/./_}_$(uname -m)" --only-plat --wheel-dir "$work/repaired" "$work"/plain/*.whl >&2
 mv "$work"/repaired/*.whl "$folder/"

@@ -1,15 +1,15 @@
 #!/usr/bin/env python3
-"""Mutates the sources of rooms, one small change at a time, and runs each room's tests: a change that no test notices
-is a place where a wrong result would pass, too.
+"""Mutates the sources of rooms, one small change at a time, and runs each room's tests. Tests that miss the change
+would miss a wrong result, too.
 
     scripts/mutate.py [ROOM…] [--count N] [--seed S] [--jobs N] [--again] [--list]
 
-ROOM: a room of lib/, or a planner as planners/ego; by default all that have tests in C++. Mutants are drawn by the
-seed, first a kind and then a place: `--count 20` begins with those of `--count 10`. Each is built in a copy of the
-checkout (build/mutants/job0), so that the checkout never changes, whatever ends the run. A mutant is killed when a test
-fails or takes ten times as long as usual; those that do not compile are not counted. Tests of suites named …Slow are
-left out. Results are appended to build/mutants/results.jsonl as they come: a run that was ended goes on where it was,
-and leaves out what was tried already on the same file. --again tries those again that lived, after tests were added."""
+ROOM: a room of lib/, or a planner such as planners/ego; by default all that have tests in C++. The seed determines the
+mutants, first a kind and then a place: `--count 20` begins with those of `--count 10`. Each is built in a copy of the
+checkout (build/mutants/job0), so the checkout never changes, even if the run is killed. A mutant is killed when a test
+fails or takes ten times as long as usual. Mutants that do not compile are not counted. Tests of suites named …Slow are
+left out. Results are appended to build/mutants/results.jsonl as they come. An interrupted run resumes where it stopped,
+without mutants already tried on the same file. --again retries survivors, after you have added tests."""
 
 import argparse
 import concurrent.futures
@@ -33,7 +33,7 @@ import time
 from dataclasses import asdict, dataclass
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-TRIED_MOST = 3  # times the wanted number are tried, where many do not compile
+TRIED_MOST = 3  # times the requested number are tried at most, since many may not compile
 MEMORY_BYTES = 16 << 30  # for a test that allocates without end
 
 
@@ -55,7 +55,7 @@ UNREAD = re.compile(
     r"""//[^\n]*|/\*.*?\*/|R"(?P<mark>[^(\s]*)\(.*?\)(?P=mark)"|"(?:\\.|[^"\\\n])*"|(?<![0-9a-fA-F])'(?:\\.|[^'\\\n])+'""",
     re.S,
 )
-# What is no behaviour, or none that a test could see: checks of our own mistakes, declarations, room kept in advance.
+# Lines without behaviour that a test could see: checks for our own mistakes, declarations, reserved memory.
 SKIPPED = re.compile(
     r"\s*(#|using |namespace |template|enum |friend |extern |alignas\()|.*\b(reserve\(|operator|constexpr bool is_|= default|= delete)"
 )
@@ -87,7 +87,7 @@ STATEMENT = re.compile(
 
 
 def without_words(text):
-    """The text with comments blank and literals as underscores: every character stays where it was."""
+    """The text with comments blanked and literals as underscores; every character keeps its place."""
 
     def blank(found):
         fill = " " if found[0].startswith("/") else "_"
@@ -110,7 +110,7 @@ def is_whole(condition):
 
 
 def changes(read, raw):
-    """(kind, column, new line) of every change of a line; `read`: as without_words() gives it."""
+    """(kind, column, new line) of every change of a line; `read` is the line from without_words()."""
 
     def put(start, end, text):
         return raw[:start] + text + raw[end:]
@@ -146,7 +146,7 @@ def mutants_of(file, text):
             ended = ended if not code else code.endswith((";", "{", "}"))
             continue
         lines = list(changes(read, raw))
-        # A whole statement of one line: what begins after an end.
+        # A complete statement on one line: it begins after another's end.
         if ended and STATEMENT.match(code):
             lines.append(("statement", 0, raw[: len(raw) - len(raw.lstrip())] + ";"))
         found += [Mutant(file, number, column, kind, raw, new, digest) for kind, column, new in lines]
@@ -155,7 +155,7 @@ def mutants_of(file, text):
 
 
 def order_drawn(mutants, seed):
-    """All of them in a drawn order: each time a kind, then one of it. So constants, which are most, do not crowd out
+    """All of them in random order: each time a kind, then one of that kind, so that the many constants do not crowd out
     the rest."""
     generator = random.Random(seed)
     mutants = generator.sample(mutants, len(mutants))
@@ -183,7 +183,7 @@ running = set()  # process groups
 
 
 def finished_in(command, folder, seconds, environment=None):
-    """(exit code, output) of a command and all that it started; None where it took longer."""
+    """(exit code, output) of a command and everything it started; code None: timeout."""
 
     def limit():
         resource.setrlimit(resource.RLIMIT_AS, (MEMORY_BYTES, MEMORY_BYTES))
@@ -218,11 +218,11 @@ def end(group):
 
 
 class Copy:
-    """A copy of the checkout with a build of its own."""
+    """A copy of the checkout with its own build."""
 
     def __init__(self, root, folder):
         self.source, self.build = folder / "source", folder / "build"
-        # Only what differs is written, so that little is built again. What an ended run left changed is restored by it.
+        # Only what differs is written, so little is rebuilt. This also restores changes of an interrupted run.
         listed = subprocess.run(
             ["git", "ls-files", "-coz", "--exclude-standard"], cwd=root, check=True, capture_output=True, text=True
         ).stdout
@@ -239,7 +239,7 @@ class Copy:
     def make(self, target, is_mutant=False):
         environment = {**os.environ, "CCACHE_NOHASHDIR": "1", "CCACHE_BASEDIR": str(self.source.parent)}
         if is_mutant:
-            environment["CCACHE_READONLY"] = "1"  # its objects are of no use later; the others come back from there
+            environment["CCACHE_READONLY"] = "1"  # a mutant's objects are useless later; others come from the cache
         if not (self.build / "build.ninja").is_file():
             # Without unity, a mutant is one object to compile.
             options = [f"-DAVOIDBENCH_{name}=OFF" for name in ("BENCH", "PAGE", "UNITY", "WERROR")]
@@ -313,7 +313,7 @@ def rooms_with_tests(root):
 def known_results(file):
     known = {}
     for line in file.read_text().splitlines():
-        with contextlib.suppress(ValueError):  # half a line of a run that was ended
+        with contextlib.suppress(ValueError):  # half a line of an interrupted run
             record = json.loads(line)
             known[record["key"]] = record
     return known
@@ -330,13 +330,13 @@ def show(room, records, shows_living=True):
 
 
 def run_room(copy, room, arguments, known, out, lock):
-    """The room's records, as many viable ones as wanted."""
+    """The room's records, with the requested number of viable ones."""
     code, said = copy.make(target_of(room))
     began = time.monotonic()
     if code == 0:
         code, said = tested(copy, room, 3600)
     if code != 0:
-        raise SystemExit(f"{room}: does not pass without a mutant:\n{said[-4000:]}")
+        raise SystemExit(f"{room}: tests fail without a mutant:\n{said[-4000:]}")
     seconds = 30 + 10 * (time.monotonic() - began)
     records = []
     for mutant in drawn_in(copy.source, room, arguments.seed)[: TRIED_MOST * arguments.count]:
@@ -360,11 +360,11 @@ def run_room(copy, room, arguments, known, out, lock):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("rooms", nargs="*", metavar="ROOM")
-    parser.add_argument("--count", type=int, default=10, help="mutants a room that compile (10)")
+    parser.add_argument("--count", type=int, default=10, help="mutants per room that compile (10)")
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--jobs", type=int, default=1, help="rooms at once, each in its own copy")
-    parser.add_argument("--again", action="store_true", help="try again what lived")
-    parser.add_argument("--list", action="store_true", help="show what would be tried, build nothing")
+    parser.add_argument("--jobs", type=int, default=1, help="rooms in parallel, each in its own copy")
+    parser.add_argument("--again", action="store_true", help="retry survivors")
+    parser.add_argument("--list", action="store_true", help="list the mutants, build nothing")
     parser.add_argument(
         "--folder", type=pathlib.Path, default=ROOT / "build/mutants", help="copies and results (build/mutants)"
     )
@@ -383,7 +383,7 @@ def main():
     try:
         fcntl.flock(out, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except OSError:
-        parser.error(f"another run writes {results}: give --folder")
+        parser.error(f"another run is writing {results}: give --folder")
     known, lock, copies, by_room = known_results(results), threading.Lock(), queue.SimpleQueue(), {}
     for job in range(min(arguments.jobs, len(rooms))):
         copies.put(Copy(ROOT, arguments.folder / f"job{job}"))
@@ -403,10 +403,10 @@ def main():
         except KeyboardInterrupt:
             for group in list(running):
                 end(group)
-            os._exit(130)  # the threads would go on to the next mutant
+            os._exit(130)  # the threads would continue with the next mutant
     lines = [show(room, by_room[room]) for room in rooms if room in by_room]
     lines.append(show("all", [record for room in by_room for record in by_room[room]], shows_living=False))
-    print("\n" + "\n".join(lines) + f"\nevery result: {results}")
+    print("\n" + "\n".join(lines) + f"\nall results: {results}")
 
 
 if __name__ == "__main__":

@@ -1,15 +1,15 @@
 #!/usr/bin/env bash
-# Writes a planner that builds, flies and is tested, to begin from: the files of planners/template with its names put
-# in. `avoidbench planners new` writes one outside of this repository.
+# Writes a new planner to start from, which builds, flies and has a test: the files of planners/template with its name
+# filled in. `avoidbench planners new` writes one outside this repository.
 set -euo pipefail
 
 usage() {
   cat <<'EOT'
 usage: scripts/new_planner.sh NAME [--python]
 
-Writes planners/NAME and tests/planners/NAME in this repository, built with everything else; with --python a planner in Python, which
-needs no building, a sweep that flies it and its test.
-NAME is of a-z, 0-9 and _ and begins with a letter. For a project of its own: avoidbench planners new NAME
+Writes planners/NAME and tests/planners/NAME in this repository, built with everything else. With --python: a planner in Python, which
+needs no build, a sweep that flies it, and its test.
+NAME uses a-z, 0-9 and _ and begins with a letter. For a separate project: avoidbench planners new NAME
 EOT
 }
 
@@ -27,9 +27,9 @@ language=cpp
 if [ "${2:-}" = --python ]; then language=python; fi
 [ $# -eq 1 ] || [ "$# $language" = "2 python" ] || { usage >&2; exit 2; }
 name=$1
-[[ $name =~ ^[a-z][a-z0-9_]*$ ]] || fail "'$name' is no name: use a-z, 0-9 and _, and begin with a letter"
+[[ $name =~ ^[a-z][a-z0-9_]*$ ]] || fail "invalid name '$name': use a-z, 0-9 and _, and begin with a letter"
 case "$name" in
-  avoidbench* | program | support | template | test | all | install | clean | help) fail "the name '$name' is taken by the build" ;;
+  avoidbench* | program | support | template | test | all | install | clean | help) fail "the build already uses the name '$name'" ;;
 esac
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# python_venv.sh [FOLDER]: a Python environment in FOLDER (build/venv) with the versions of python/requirements.lock,
-# which build and test the Python package. Does nothing where it is there already and neither the lock nor the system's
-# Python has changed since. PYTHON=PROGRAM: made with that Python instead of the system's.
+# python_venv.sh [FOLDER]: makes a Python environment in FOLDER (build/venv) with the versions of
+# python/requirements.lock, to build and test the Python package. Does nothing if it exists and neither the lock nor the
+# system's Python has changed since. PYTHON=PROGRAM: use that Python instead of the system's.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -13,6 +13,6 @@ if [ -x "$folder/bin/python" ] && [ "$(cat "$folder/made_of" 2>/dev/null)" = "$w
 
 echo "making the Python environment $folder" >&2
 "$python" -m venv --clear "$folder"
-# Of sdists no wheel is built: what the lock names is downloaded as it is.
+# Builds no wheels from sdists: the lock's packages are downloaded as they are.
 "$folder/bin/python" -m pip install --quiet --disable-pip-version-check --require-hashes --only-binary :all: --requirement "$lock"
 echo "$wanted" >"$folder/made_of"

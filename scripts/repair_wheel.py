@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""auditwheel, but of the libraries that it counts on in every system only those of C and C++: a small system has no X11
-and no zlib, which OpenCV's core is linked to in Debian. The wheel also gets the licence texts of all that it carries,
-as Debian's packages have them.
+"""auditwheel, except that it assumes only the C and C++ libraries on the target system: a small system lacks X11 and
+zlib, which OpenCV's core is linked to in Debian. The wheel also gets the licence texts of everything it contains, as
+in Debian's packages.
 
-usage: as auditwheel's"""
+usage: same as auditwheel"""
 
 import json
 import pathlib
@@ -27,14 +27,14 @@ def package_of(library):
         found = subprocess.run(["dpkg", "-S", name], capture_output=True, text=True)
         if found.returncode == 0:
             return found.stdout.partition(":")[0]
-    raise SystemExit(f"repair_wheel.py: no package has {library}, so its licence is not known: install it as a package")
+    raise SystemExit(f"repair_wheel.py: no package contains {library}, so its licence is unknown: install the package")
 
 
 def take_licence(package, folder):
-    """The package's copyright file, and what this names of the system's common licences."""
+    """The package's copyright file, and the system's common licences that it names."""
     copyright_file = DOCS / package / "copyright"
     if not copyright_file.is_file():
-        raise SystemExit(f"repair_wheel.py: there is no {copyright_file}, and no wheel without its licence texts")
+        raise SystemExit(f"repair_wheel.py: {copyright_file} is missing, and the wheel needs its licence text")
     folder.mkdir(parents=True, exist_ok=True)
     shutil.copyfile(copyright_file, folder / f"{package}.txt")
     text = copyright_file.read_text(encoding="utf-8", errors="replace")
@@ -50,11 +50,11 @@ def take_nanobind_licence(folder):
         if file.parent.name == "licenses":
             shutil.copyfile(file.locate(), folder / "nanobind.txt")
             return
-    raise SystemExit("repair_wheel.py: nanobind comes without its licence")
+    raise SystemExit("repair_wheel.py: nanobind's licence is missing")
 
 
 def with_licences(copy_library):
-    """auditwheel's copylib, in the unpacked wheel's folder; `dest_dir` lies in it."""
+    """auditwheel's copylib, in the unpacked wheel's folder, which contains `dest_dir`."""
 
     def copy(src_path, dest_dir, patcher):
         folder = next(dest_dir.absolute().parent.glob("*.dist-info")) / "licenses" / "of-others"

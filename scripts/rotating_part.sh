@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# rotating_part.sh: prints every sixteenth line of its input, beginning further on with each commit, so that sixteen
-# commits see all lines. Of a shallow clone, which can't count its commits, the commit's name decides. Says on stderr
-# which part it is.
+# rotating_part.sh: prints every sixteenth line of its input, starting one line later with each commit, so sixteen
+# commits cover all lines. In a shallow clone, which can't count its commits, the commit's hash decides. Reports the part
+# on stderr.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

@@ -1,23 +1,23 @@
 #!/usr/bin/env bash
-# sanitize.sh [ROOM…|--all]: builds the tests of these rooms, or planners (planners/ego), with address and
-# undefined-behaviour sanitizers (build/asan) and runs them; of planners without the longest flights. Without arguments:
-# what changed (changed_files.sh), of more than two rooms those with the most changed files, and a rotating sixteenth of
-# all rooms; the tests labelled slow only with --all.
-#   --python [PYTEST ARGUMENTS…]    the Python extension instead, by the package's tests; they fly with the program of
-#   build/release
+# sanitize.sh [ROOM…|--all]: builds the tests of these rooms or planners (planners/ego) with address and
+# undefined-behaviour sanitizers (build/asan) and runs them, without planners' longest flights. Without arguments it
+# takes the two rooms with the most changed files (changed_files.sh) and a rotating sixteenth of all rooms. Tests
+# labelled slow run only with --all.
+#   --python [PYTEST ARGUMENTS…]    checks the Python extension instead, with the package's tests, which fly with the
+#   program of build/release
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 if [ "${1:-}" = --python ]; then
   shift
-  [ -x build/release/avoidbench ] || { echo "build/release/avoidbench is not there: build it first" >&2; exit 1; }
+  [ -x build/release/avoidbench ] || { echo "build/release/avoidbench does not exist: build it first" >&2; exit 1; }
   scripts/python_venv.sh
   cmake --preset asan -DAVOIDBENCH_UNITY=ON -DAVOIDBENCH_PYTHON=ON "-DPython_EXECUTABLE=$PWD/build/venv/bin/python" >/dev/null
   cmake --build build/asan --parallel "$(nproc)" --target _core
-  # The sanitizer's own memory grows, which test_env_leaks.py takes for a leak.
+  # The sanitizer's own memory grows, which test_env_leaks.py would report as a leak.
   [ $# -gt 0 ] || set -- python/tests --ignore=python/tests/test_ppo_slow.py --ignore=python/tests/test_env_leaks.py
-  # Python is no sanitized program: the runtime is loaded before it, and the C++ library, whose exceptions the runtime
-  # looks for. Leaks are not looked for: Python leaves objects at its end. Crashes that tests want are theirs to handle.
+  # Python itself is not sanitized, so the runtime is preloaded, and the C++ library, whose exceptions the runtime needs.
+  # Leak detection is off, since Python leaves objects at its end. Tests handle crashes that they cause on purpose.
   exec env "LD_PRELOAD=$(clang++ -print-file-name=libclang_rt.asan-x86_64.so):$(clang++ -print-file-name=libstdc++.so.6)" \
     ASAN_OPTIONS=detect_leaks=0:handle_segv=0 UBSAN_OPTIONS=print_stacktrace=1 AVOIDBENCH_PROGRAM="$PWD/build/release/avoidbench" \
     PYTHONPATH="$PWD/build/asan/python" PYTHONDONTWRITEBYTECODE=1 build/venv/bin/python -m pytest -p no:cacheprovider "$@"
@@ -26,7 +26,7 @@ fi
 mapfile -t rooms < <(grep -vE '^\s*(#|$)' lib/ORDER | cut -d: -f1 | cut -d/ -f2)
 rooms+=(planners/*/)
 tested=()
-# Not those whose tests are scripts alone.
+# Rooms with C++ tests only.
 for room in "${rooms[@]%/}"; do compgen -G "tests/$room/*_test.cpp" >/dev/null && tested+=("$room"); done
 tests_of() {
   case "$1" in
@@ -59,8 +59,8 @@ cmake --build build/asan --parallel "$(nproc)" --target "${targets[@]}"
 # Embree's and OpenCV's own threads and caches live until the process ends.
 export ASAN_OPTIONS=detect_leaks=1:strict_string_checks=1 UBSAN_OPTIONS=print_stacktrace=1
 export LSAN_OPTIONS=suppressions=$PWD/tests/support/leaks.supp:print_suppressions=0
-# As many rooms at once as there are processors; what each says is shown in one piece, and a failure ends with the
-# others told.
+# Rooms run in parallel, one per processor. Each room's output is printed together, and a failure does not stop the
+# others.
 run_room() {
   local filter=$2 said
   [[ $1 == planners/* ]] && filter="-*Slow.*:*.Clears*:*.GetsOutOfADeadEnd"

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds everything and runs all tests but the slow ones. The last lines are the test runner's
+# Installs what is missing, builds everything and runs all tests except slow ones. The last lines are the test runner's
 # summary.
-#   --all    also the tests labelled slow; benchmarks are built
-# AVOIDBENCH_COMPARE_WITH=FILE: a program that another compiler built (scripts/check_all.sh), whose results must be the
+#   --all    also runs the tests labelled slow and builds the benchmarks
+# AVOIDBENCH_COMPARE_WITH=FILE: a program built by another compiler (scripts/check_all.sh), whose results must have the
 # same bits.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -17,9 +17,9 @@ scripts/install_packages.sh "$packages"
 scripts/python_venv.sh
 jobs=$(nproc)
 stage() { printf '== %s  (after %d:%02d)\n' "$1" $((SECONDS / 60)) $((SECONDS % 60)); }
-# Compiled files are found again from a checkout elsewhere.
+# ccache also finds files compiled in another checkout.
 export CCACHE_NOHASHDIR=1 CCACHE_BASEDIR=$PWD
-# More tests than there are processors: many wait, for planners that hang and for time limits.
+# More tests than processors, because many wait for hanging planners and time limits.
 export CTEST_PARALLEL_LEVEL=$((jobs + 2))
 
 stage "build with g++ (build/release)"

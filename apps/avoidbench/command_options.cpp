@@ -56,16 +56,16 @@ CLI::Option* add_output_file(CLI::App& command, std::string& output) {
 
 void add_where(CLI::App& command, std::vector<std::string>& where) {
   add_repeatable(command, "--where", where, "CONDITION",
-                 "Only trials that fulfil this: FIELD OP VALUE, such as 'map.poisson_radius_m < "
-                 "3' or 'planner = ego, reactive'; repeatable, all of them have to hold");
+                 "Only trials that match this: FIELD OP VALUE, such as 'map.poisson_radius_m < 3' "
+                 "or 'planner = ego, reactive'; repeatable, all must hold");
 }
 
 void add_order_options(CLI::App& command, TrialOrder& order) {
   add_typed(command, "--sort", order.field, "METRIC",
-            "Metric, the worst trials first (`avoidbench metrics`), or another field of "
-            "trials, the least first; trials without it come last");
+            "Sort by a metric (`avoidbench metrics`), worst trials first, or by another field of "
+            "trials, smallest first; trials without a value come last");
   add_number(command, "--limit", order.limit, CLI::Range(1, 1'000'000'000),
-             "At most so many trials, the first ones");
+             "At most this many trials, the first ones");
 }
 
 void add_output_options(CLI::App& command, OutputOptions& options) {

@@ -16,7 +16,7 @@
 // Commands, and options that several of them have.
 namespace avoidbench {
 
-/// Adds a subcommand that does `work` with what it was told.
+/// Adds a subcommand that calls `work` with its options.
 template <class Options>
 std::pair<CLI::App&, Options&> add_command(CLI::App& app, const std::string& name,
                                            const std::string& doc, void (*work)(const Options&)) {

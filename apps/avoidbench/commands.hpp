@@ -18,6 +18,7 @@ void add_predict_command(CLI::App& app);
 void add_export_command(CLI::App& app);
 void add_compare_command(CLI::App& app);
 void add_suite_command(CLI::App& app);
+void add_grade_command(CLI::App& app);
 void add_replay_command(CLI::App& app);
 void add_explain_command(CLI::App& app);
 void add_merge_command(CLI::App& app);
@@ -27,6 +28,8 @@ void add_maps_command(CLI::App& app);
 void add_sensors_command(CLI::App& app);
 void add_metrics_command(CLI::App& app);
 void add_config_command(CLI::App& app);
+void add_help_command(CLI::App& app);
+void add_completion_command(CLI::App& app);
 void add_worker_command(CLI::App& app);  ///< hidden
 
 /// The words that start one of `jobs` workers. Without a limit of the user's, they stay together
@@ -38,7 +41,7 @@ std::vector<std::string> worker_words(double plan_timeout_s, std::optional<doubl
 /// of its planner takes too long.
 inline double silence_limit_s(double plan_timeout_s) { return plan_timeout_s + 20.0; }
 
-/// The report of a database as Markdown, and its page, where this program has one.
+/// The report of a database as Markdown, and its page.
 void write_report_files(const std::string& database, const std::string& report,
                         const std::string& page);
 

@@ -88,7 +88,7 @@ void compare_with_reality(const CompareCommand& command) {
 void compare(const CompareCommand& command) {
   if (command.is_real) return compare_with_reality(command);
   if (!command.more.empty()) {
-    throw InputError(command.more.front() + ": several results beside a base go with --real");
+    throw InputError(command.more.front() + ": more than one set of new results needs --real");
   }
   if (!command.bless_file.empty()) return bless(command);
   if (command.now.empty() && command.planner.empty()) {
@@ -111,11 +111,11 @@ void add_options(CLI::App& command, CompareCommand& options) {
                   "Database, a name for results/NAME.db, or table of trials that --bless wrote")
       ->required();
   command.add_option("NEW", options.now,
-                     "The same, of the results to judge (default with --planner: BASE)");
+                     "The same, for the results to judge (default with --planner: BASE)");
   command.add_option("MORE", options.more, "With --real: further simulations");
   command.add_flag("--real", options.is_real,
-                   "BASE has real flights (avoidbench import), NEW and MORE simulate them: how "
-                   "near each comes, instead of a judgement; exit code 0");
+                   "BASE has real flights (avoidbench import), NEW and MORE simulate them: shows "
+                   "how close each one comes, without a judgement; exit code 0");
   CLI::Option* planner = command.add_option(
       "--planner", options.planner,
       "Only this planner, by its label; or BASE:NEW, two planners on the same missions");
@@ -123,28 +123,28 @@ void add_options(CLI::App& command, CompareCommand& options) {
                      "Sweep to compare: NAME, NAME@2 for its revision 2, or BASE:NEW where the two "
                      "sides differ (default: the latest revision of the one that both have)");
   add_list(command, "--metrics", options.settings.metrics,
-           "Metrics beside the success rate, separated by commas, or all (default: path and "
-           "energy optimality, average goal velocity, mission progress, least clearance, "
+           "Metrics in addition to the success rate, separated by commas, or all (default: path "
+           "and energy optimality, average goal velocity, mission progress, least clearance, "
            "processing time)");
   add_number(command, "--alpha", options.settings.alpha, CLI::Range(1e-6, 0.5),
              "Statistical limit: the chance of any false alarm in the comparison");
   command.add_option("--min-effect", options.min_effect,
-                     "Practical limit: the least change that matters, as share of the base's mean "
-                     "(default: 5%)");
+                     "Practical limit: the smallest change that matters, as a share of the base's "
+                     "mean (default: 5%)");
   command.add_option("--tolerances", options.tolerances_file,
                      "YAML file with practical limits by metric: 10%, a number in the metric's "
                      "unit, or ignore; `default` for the others");
   command.add_flag("--gate-measured", options.settings.gates_measured,
                    "Let metrics from the host's clock fail the comparison too");
   command.add_flag("--complete", options.must_be_complete,
-                   "Exit code 1 also where NEW lacks trials of BASE");
+                   "Exit code 1 also if NEW lacks trials of BASE");
   CLI::Option* exact =
       command.add_flag("--exact", options.is_exact,
                        "No statistics: outcomes and deterministic metrics must be equal to the "
                        "last bit, and no trial may be missing");
   command
       .add_flag("--sample", options.is_sample,
-                "NEW is a part of BASE, such as one --shard of its sweep: what it lacks is no "
+                "NEW is a part of BASE, such as one --shard of its sweep: missing trials are not a "
                 "difference")
       ->needs(exact);
   command
@@ -160,13 +160,14 @@ void add_options(CLI::App& command, CompareCommand& options) {
 }  // namespace
 
 void add_compare_command(CLI::App& app) {
-  const auto [command, options] = add_command(
-      app, "compare", "Judge new results against a base: what got worse, and surely so", compare);
+  const auto [command, options] =
+      add_command(app, "compare",
+                  "Compare new results with a base and report significant regressions", compare);
   add_options(command, options);
   command.footer(
       "Trials are paired by planner label, map and mission. A regression is a change for the worse "
-      "that is beyond chance\n"
-      "(--alpha, corrected over all tests) and beyond the tolerance (--min-effect, --tolerances). "
+      "that is significant\n"
+      "(--alpha, corrected over all tests) and exceeds the tolerance (--min-effect, --tolerances). "
       "Exit codes: 0 no\n"
       "regression, 1 a regression (--exact: a difference), 2 bad input.\n\n"
       "Examples:\n"

@@ -144,7 +144,7 @@ void add_config_command(CLI::App& app) {
   };
   const auto options = std::make_shared<Options>();
   CLI::App* command =
-      app.add_subcommand("config", "Print and explain what files can say; check sweep files");
+      app.add_subcommand("config", "Print and explain the keys of files; check sweep files");
   command->footer(
       "Examples:\n"
       "  avoidbench config sweeps\n"
@@ -158,14 +158,14 @@ void add_config_command(CLI::App& app) {
   add_output_options(*sweeps, options->sweeps_output);
   sweeps->callback([options] { list_sweeps(options->sweeps_output); });
   CLI::App* defaults = command->add_subcommand(
-      "defaults", "Everything that a file can say, at its default, with docs and ranges, as YAML");
+      "defaults", "Every key of a file at its default, with description and range, as YAML");
   defaults->add_option(
       "what", options->preset,
       "A sweep, or a vehicle or sensor that is built in: " + joined(default_names()));
   add_output_file(*defaults, options->output);
   defaults->callback([options] { write_text(defaults_yaml(options->preset), options->output); });
   CLI::App* schema = command->add_subcommand(
-      "schema", "JSON Schema (2020-12) of a kind of file: editors complete and check by it");
+      "schema", "JSON Schema (2020-12) of a kind of file, for completion and checks in editors");
   schema->add_option("what", options->schema,
                      "sweep, part (a file that sweeps include), flights (of `import`), vehicle or "
                      "sensor");
@@ -173,18 +173,18 @@ void add_config_command(CLI::App& app) {
   schema->footer(
       "Example:\n"
       "  avoidbench config schema --output sweep.schema.json\n"
-      "and as the first line of a sweep file beside it, for editors with a YAML language server:\n"
+      "and the first line of a sweep file next to it, for editors with a YAML language server:\n"
       "  # yaml-language-server: $schema=sweep.schema.json");
   schema->callback([options] { write_text(schema_text(options->schema), options->schema_output); });
   CLI::App* check_command = command->add_subcommand(
-      "check", "Read a sweep file and print what it would fly, or all that is wrong with it");
+      "check", "Check a sweep file: print what it would fly, or all its errors");
   add_typed(*check_command, "sweep", options->file, "FILE",
             "Sweep file (YAML); - is standard input")
       ->required();
   add_overrides(*check_command, options->overrides, "maps.poisson_radius_m=3.0");
   check_command->add_flag("--resolved", options->resolved,
-                          "Print the file with what it includes and --set put in, each value with "
-                          "where it comes from (default: a summary)");
+                          "Print the file with its includes and --set applied, and the source of "
+                          "each value (default: a summary)");
   check_command->footer(
       "Examples:\n"
       "  avoidbench config check my_sweep.yaml\n"
@@ -192,9 +192,10 @@ void add_config_command(CLI::App& app) {
   check_command->callback(
       [options] { check(options->file, options->overrides, options->resolved); });
   CLI::App* explain_command = command->add_subcommand(
-      "explain", "What a key means: its range and default, and how to write it, also as an axis");
+      "explain",
+      "Explain a key: its meaning, range and default, and how to write it, also as an axis");
   add_typed(*explain_command, "key", options->key, "KEY",
-            "Path of a key, as maps.bush_ratio or latency; maps.hall for one generator's "
+            "Path of a key, such as maps.bush_ratio or latency; maps.hall for one generator's "
             "keys; reactive.margin_m for a planner's parameter (default: all top keys)");
   explain_command->footer(
       "Examples:\n"

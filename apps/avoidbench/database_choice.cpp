@@ -133,16 +133,17 @@ void add_replay_options(CLI::App& command, FlightOptions& options) {
   ReplayFiles& files = options.files;
   CLI::Option* library =
       add_typed(command, "--library", files.planner, "NAME|FILE",
-                "Fly this planner's library or program (default: what the sweep's name of it leads "
-                "to, if that is the file that was flown)");
+                "Fly this planner's library or program (default: the file that the sweep's name "
+                "for it leads to, if it is the one that was flown)");
   add_typed(command, "--sweep-file", options.sweep, "FILE",
-            "Sweep file of your own whose planners may be flown: a command (plugin: process) is "
-            "not started on a database's word")
+            "Your sweep file, whose planners may be flown: a command (plugin: process) that only "
+            "the database names is not started")
       ->excludes(library);
-  add_typed(command, "--map-file", files.map, "FILE",
-            "File of the map (default: by its name beside sweep and database, or in maps/)");
+  add_typed(
+      command, "--map-file", files.map, "FILE",
+      "Map file (default: found by its name next to the sweep and the database, or in maps/)");
   add_typed(command, "--wind-file", files.wind, "FILE",
-            "File of the wind field (default: by its name, as the map's, or in configs/wind/)");
+            "Wind field file (default: found by its name as the map's, or in configs/wind/)");
   add_number(command, "--plan-timeout", options.plan_timeout_s, CLI::PositiveNumber,
              "Wall time after which a call of the planner counts as hung, s");
   command.add_flag("--no-sandbox", options.no_sandbox,

@@ -177,7 +177,7 @@ void write_moment(const StoredFlight& flight, const FleetOptions& options, const
   FleetJob job = flight.job;
   job.job.lookout = recording_job({.has_moments = true, .at_s = {at_s}}, job.job.spec);
   const JobEnd end = fly_one(job, options);
-  if (!end.answer) throw InputError("its flight for the picture did not come to its end");
+  if (!end.answer) throw InputError("its flight for the picture did not finish");
   const StoredTrial& stored = flight.stored;
   const World world = flown_world(stored.spec, stored.mission);
   write_sheets(stored, world, *end.answer->trial, recording_from(*end.answer->reported).moments,
@@ -265,7 +265,7 @@ void explain_causes(const ExplainOptions& options) {
   const std::size_t recorded =
       is_one ? 0 : std::erase_if(failures, [](const auto& one) { return one.is_recorded; });
   if (recorded > 0) {
-    std::cerr << counted(recorded, "failure") << " of real flights: passed over\n";
+    std::cerr << counted(recorded, "failure") << " of real flights: skipped\n";
   }
   if (failures.empty()) {
     if (is_one) {
@@ -276,7 +276,7 @@ void explain_causes(const ExplainOptions& options) {
     return;
   }
   if (!options.png.empty() && !is_one) {
-    throw OptionError("a picture is of one trial: give TRIAL", "", "png");
+    throw OptionError("a picture shows one trial: give TRIAL", "", "png");
   }
   const StopSignals& signals = watch_stop_signals();
   ReplayPlanners planners(files_beside(options.database, database, options.flights));
@@ -288,7 +288,8 @@ void explain_causes(const ExplainOptions& options) {
   const FleetOptions fleet = fleet_options(options.flights, options.flights.job_count(), &signals);
   find_causes(run, planners, fleet);
   if (signals.stop) {
-    end_stopped(signals, "stopped: what was found is stored, the same command goes on from there");
+    end_stopped(signals,
+                "stopped: the causes found are stored, the same command resumes from there");
   }
   if (is_one) {
     const TrialListing& listing = failures.front();

@@ -14,10 +14,10 @@ void add_explain_command(CLI::App& app) {
         explain_causes(asked);
       });
   command.footer(
-      "Causes are told by rules over what is measured of the flight, collisions from one more "
-      "flight each, and stored\n"
-      "in the database: report and compare show them.\n"
-      "Flights with changes are stored in the database; the same command goes on where it was "
+      "Rules find the cause from measurements of the flight; a collision takes one more flight. "
+      "Causes are stored in the\n"
+      "database: report and compare show them.\n"
+      "Flights with changes are stored in the database; the same command resumes where it was "
       "stopped. docs/explain.md\n\n"
       "Examples:\n"
       "  avoidbench explain quick\n"
@@ -26,9 +26,9 @@ void add_explain_command(CLI::App& app) {
       "  avoidbench explain quick --what-if all --control 20 --format latex\n"
       "  avoidbench explain quick 2 --what-if all\n"
       "  avoidbench explain quick 2 --minimal scene && avoidbench run scene/sweep.yaml\n\n"
-      "Exit codes: 0 done, 1 a flight with nothing changed is not the stored one, or a worker was "
-      "killed from outside, 2 usage or input, 75 stopped by SIGTERM, SIGHUP, SIGUSR1 or SIGXCPU, "
-      "130 interrupted");
+      "Exit codes: 0 done, 1 a flight with nothing changed differs from the stored one, or a "
+      "worker was killed from outside, 2 usage or input, 75 stopped by SIGTERM, SIGHUP, SIGUSR1 or "
+      "SIGXCPU, 130 interrupted");
   command
       .add_option("DB", options.database, "Database, or a sweep's file or name for results/NAME.db")
       ->required();
@@ -37,8 +37,8 @@ void add_explain_command(CLI::App& app) {
   command.add_option("--planner", options.choice.planner,
                      "Only trials of this planner, by its label");
   add_typed(command, "--png", options.png, "FILE",
-            "Picture of TRIAL at the decisive moment: the last chance to stop before a "
-            "collision, where it came nearest to the goal before a time-out");
+            "Picture of TRIAL at the decisive moment: the last chance to stop before a collision; "
+            "for a time-out, where it came nearest to the goal");
   add_what_if_options(command, options);
   add_replay_options(command, options.flights);
   add_output_options(command, options.output);

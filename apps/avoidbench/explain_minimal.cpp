@@ -130,7 +130,7 @@ void explain_minimal(const ExplainOptions& options) {
             << "flight     " << text(scene.outcome) << ": " << visible_line(scene.reason) << "\n"
             << "flights    " << scene.flights << "\n";
   if (!scene.is_minimal) {
-    std::cout << "not minimal: the flights were used up (--most-flights)\n";
+    std::cout << "not minimal: the limit of flights was reached (--most-flights)\n";
   }
   if (scene.missions.size() > 1) {
     std::cout << "mission    the last of " << scene.missions.size()

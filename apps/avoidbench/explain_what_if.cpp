@@ -53,7 +53,8 @@ WhatIfRun fly_missing(const ExplainOptions& options, WhatIfPlan& plan, const Wha
     std::cerr << "not flown: " << visible_line(line) << '\n';
   }
   if (run.is_stopped) {
-    end_stopped(signals, "stopped: what was flown is stored, the same command goes on from there");
+    end_stopped(signals,
+                "stopped: finished flights are stored, the same command resumes from there");
   }
   return run;
 }
@@ -94,11 +95,11 @@ void explain_what_if(const ExplainOptions& options) {
 void add_what_if_options(CLI::App& command, ExplainOptions& options) {
   CLI::Option* what_if =
       add_list(command, "--what-if", options.what_if,
-               "Fly failed trials again, each of these changes alone (list below), and count how "
-               "many reach the goal then; names separated by commas, or all");
+               "Fly failed trials again with each of these changes alone (list below), and count "
+               "how many then reach the goal; names separated by commas, or all");
   add_number(command, "--control", options.control, CLI::NonNegativeNumber,
-             "Successes of each planner that are flown with the changes, too, to see which "
-             "break (default: as many as failed)")
+             "As a control, also fly this number of each planner's successes with the changes, to "
+             "see which break (default: as many as failed)")
       ->needs(what_if);
   CLI::Option* minimal =
       add_typed(command, "--minimal", options.minimal, "FOLDER",
@@ -106,7 +107,7 @@ void add_what_if_options(CLI::App& command, ExplainOptions& options) {
                 "write it into this folder: a map and a sweep file that flies it")
           ->excludes(what_if);
   add_number(command, "--most-flights", options.most_flights, CLI::Range(1, 1'000'000),
-             "Most flights that --minimal may take")
+             "Maximum number of flights for --minimal")
       ->needs(minimal);
   add_number(command, "-j,--jobs", options.flights.jobs, CLI::Range(0, 1024),
              "Worker processes; 0: one per allowed CPU");

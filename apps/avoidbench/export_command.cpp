@@ -88,16 +88,17 @@ void write_legs(const ExportOptions& options) {
 void add_trials(CLI::App& app) {
   const auto [command, options] = add_command(
       app, "trials", "Every trial with its map, mission and metrics: one flat table", write_trials);
-  command.add_option("DB", options.words,
-                     "Databases; a trial that several hold is written once (default: the newest "
-                     "results/*.db)");
+  command.add_option(
+      "DB", options.words,
+      "Databases; a trial that several contain is written once (default: the newest results/*.db)");
   add_sweep_choice(command, options.sweep);
   add_choice(command, "--format", options.trial_format, "csv (RFC 4180) or jsonl (JSON lines)");
   add_output_file(command, options.output);
   add_order_options(command, options.trial_order);
   command.footer(
-      "The columns are those of the view trial_table, with what the sweep varies by its path; "
-      "names carry units,\nnumbers all their digits.\n\n"
+      "The columns are those of the view trial_table; what the sweep varies is named by its path. "
+      "Names include the unit,\n"
+      "numbers have all digits.\n\n"
       "Example:\n"
       "  avoidbench export trials results/quick.db --output quick.csv\n"
       "  avoidbench export trials quick --sort min_clearance_m --limit 10");
@@ -109,12 +110,12 @@ std::pair<CLI::App&, ExportOptions&> add_of_trials(CLI::App& app, const std::str
   const auto [command, options] = add_command(app, name, doc, work);
   command
       .add_option("TRIAL", options.words,
-                  "Ids of trials or the beginnings of their keys; before them a database (default: "
-                  "the newest results/*.db)")
+                  "Ids of trials or the beginnings of their keys, after an optional database "
+                  "(default: the newest results/*.db)")
       ->required();
   add_output_file(command, options.output)
       ->description(
-          "File to write, - for standard output; of several trials a folder, with a file each");
+          "File to write, - for standard output; for several trials a folder with one file each");
   return {command, options};
 }
 
@@ -135,14 +136,15 @@ void add_calls(CLI::App& app) {
 
 void add_legs(CLI::App& app) {
   const auto [command, options] =
-      add_command(app, "legs", "What was flown toward each goal of trials, as CSV", write_legs);
+      add_command(app, "legs", "The legs of trials, one per goal, as CSV", write_legs);
   command.add_option("TRIAL", options.words,
-                     "Ids of trials or the beginnings of their keys; left out: all. Before them a "
-                     "database (default: the newest results/*.db)");
+                     "Ids of trials or the beginnings of their keys (default: all), after an "
+                     "optional database (default: the newest results/*.db)");
   add_output_file(command, options.output);
   command.footer(
-      "A row a leg that was begun: its goal, when it began and ended, the flown and the shortest "
-      "path's length.\nd_min of a mission is the sum of its legs'.\n\n"
+      "One row per leg that was begun: its goal, when it began and ended, the lengths of the flown "
+      "and the shortest path.\n"
+      "d_min of a mission is the sum over its legs.\n\n"
       "Example:\n"
       "  avoidbench export legs results/waypoints.db --output legs.csv");
 }

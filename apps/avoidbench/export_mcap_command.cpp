@@ -35,8 +35,7 @@ std::optional<World> world_of(const StoredTrial& stored, const ReplayFiles& file
     const StoredTrial found = with_files(stored, files);
     World world = flown_world(found.spec, found.mission);
     if (world.digest == stored.world_digest) return world;
-    std::cerr
-        << "warning: the map is another one than that of the stored trial: /map is left out\n";
+    std::cerr << "warning: the map differs from that of the stored trial: /map is left out\n";
   } catch (const InputError& error) {
     std::cerr << "warning: " << visible_line(error.what()) << ": /map is left out\n";
   }
@@ -122,7 +121,8 @@ void write_stored(const Database& database, const TrialListing& trial, const std
 }
 
 void write_mcap(const McapOptions& options) {
-  if (options.output == "-") throw InputError("an MCAP file is not for standard output: name one");
+  if (options.output == "-")
+    throw InputError("an MCAP file can't go to standard output: name a file");
   const auto chosen = chosen_of(options.words);
   const Database& database = chosen.first;
   const std::string given = is_database(options.words.front()) ? options.words.front() : "";
@@ -143,22 +143,24 @@ void write_mcap(const McapOptions& options) {
 
 void add_export_mcap_command(CLI::App& app) {
   const auto [command, options] = add_command(
-      app, "mcap", "Flights for Foxglove, Lichtblick and ROS 2: all that was seen and commanded",
+      app, "mcap",
+      "Flights for Foxglove, Lichtblick and ROS 2: everything that was seen and commanded",
       write_mcap);
   command
       .add_option("TRIAL", options.words,
-                  "Ids of trials or the beginnings of their keys; before them a database (default: "
-                  "the newest results/*.db)")
+                  "Ids of trials or the beginnings of their keys, after an optional database "
+                  "(default: the newest results/*.db)")
       ->required();
   add_typed(command, "--output", options.output, "FILE",
-            "File to write, .mcap; of several trials a folder, with a file each")
+            "File to write, .mcap; for several trials a folder with one file each")
       ->required();
   command.add_flag("--stored-only", options.is_stored_only,
                    "Fly nothing and write what is stored: path, calls, contacts, goals, map");
   add_replay_options(command, options.flights);
   command.footer(
-      "The trial is flown again, bit for bit, for what is not stored: images, sweeps, commands. "
-      "Messages of ROS 2,\nstamped by the simulation's time; docs/exports.md has the topics.\n\n"
+      "Images, sweeps and commands are not stored: the trial is flown again, bit for bit, to get "
+      "them. Messages are those\n"
+      "of ROS 2, with simulated time stamps; docs/exports.md has the topics.\n\n"
       "Example:\n"
       "  avoidbench export mcap results/quick.db 3 --output flight.mcap");
 }

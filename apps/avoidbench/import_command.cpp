@@ -129,24 +129,25 @@ void import(const ImportCommand& command) {
 
 void add_import_command(CLI::App& app) {
   const auto [command, options] =
-      add_command(app, "import", "Real flights from logs, as trials of the same tables", import);
+      add_command(app, "import", "Import real flights from logs, as trials", import);
   add_typed(command, "FLIGHTS", options.file, "FILE",
             "File of flights (YAML): the place, and each flight's log, planner and goal")
       ->required();
   add_typed(command, "--db", options.database, "FILE",
             "Database to write (default: results/NAME.db)");
   add_typed(command, "--twin", options.twin, "FILE",
-            "Also write the sweep of the same place, starts and goals, for `avoidbench run`; in "
-            "the folder of FLIGHTS");
+            "Also write the sweep of the same place, starts and goals, for `avoidbench run`; must "
+            "be in the folder of FLIGHTS");
   add_typed(command, "--beside", options.beside, "SWEEP",
             "Also add the flights to this sweep of the database, the flown twin: reports and pages "
             "then show both");
   add_overrides(command, options.overrides, "smoothing.position_noise_m=0.03");
   add_output_options(command, options.output);
   command.footer(
-      "Logs: ROS 1 .bag, rosbag2 .db3 and .mcap, PX4 .ulg, TUM, EuRoC CSV. Maps: as those of "
-      "sweeps, point clouds among\nthem (PCD, PLY, LAS, OctoMap). All metrics are computed by the "
-      "same code; what a log lacks is NULL. docs/real_flights.md\n\n"
+      "Logs: ROS 1 .bag, rosbag2 .db3 and .mcap, PX4 .ulg, TUM, EuRoC CSV. Maps: as in sweeps, "
+      "including point\n"
+      "clouds (PCD, PLY, LAS, OctoMap). The same code computes all metrics; what a log lacks is "
+      "NULL. docs/real_flights.md\n\n"
       "Examples:\n"
       "  avoidbench import wood.yaml --twin wood_twin.yaml\n"
       "  avoidbench run wood_twin.yaml\n"

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <exception>
 #include <iostream>
+#include <memory>
 #include <new>
 #include <string>
 #include <string_view>
@@ -14,6 +15,7 @@
 #include "base/words.hpp"
 #include "command_options.hpp"
 #include "commands.hpp"
+#include "help_text.hpp"
 #include "plugin/planner_library.hpp"
 #include "version.hpp"
 #include "visible_streams.hpp"
@@ -58,24 +60,8 @@ const CLI::App& deepest(const CLI::App& app) {
 
 std::vector<std::string> command_names(const CLI::App& app) {
   std::vector<std::string> names;
-  for (const CLI::App* command :
-       app.get_subcommands([](const CLI::App* a) { return !a->get_group().empty(); })) {
-    names.push_back(command->get_name());
-  }
+  for (const CLI::App* command : visible_commands(app)) names.push_back(command->get_name());
   return names;
-}
-
-std::vector<std::string> option_names(const CLI::App& app) {
-  std::vector<std::string> names;
-  for (const CLI::Option* option : app.get_options()) {
-    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-  }
-  return names;
-}
-
-std::string full_name(const CLI::App& app) {
-  const CLI::App* parent = app.get_parent();
-  return parent == nullptr ? app.get_name() : full_name(*parent) + " " + app.get_name();
 }
 
 /// Our option for one that other programs have, "" if there is none: no spelling leads there.
@@ -88,7 +74,7 @@ std::string option_elsewhere(const std::string& name) {
 }
 
 std::string unknown_option(const CLI::App& app, const std::string& name) {
-  const std::vector<std::string> ours = option_names(app);
+  const std::vector<std::string> ours = option_spellings(app);
   const std::string meant = option_elsewhere(name);
   const bool is_ours = std::find(ours.begin(), ours.end(), meant) != ours.end();
   return "unknown option " + name +
@@ -122,11 +108,11 @@ int explain(const CLI::App& app, const CLI::ParseError& error) {
 
 void add_commands(CLI::App& app) {
   for (const auto& add :
-       {add_run_command, add_limit_command, add_suite_command, add_report_command,
-        add_power_command, add_predict_command, add_export_command, add_compare_command,
-        add_replay_command, add_explain_command, add_merge_command, add_import_command,
-        add_planners_command, add_maps_command, add_sensors_command, add_metrics_command,
-        add_config_command}) {
+       {add_run_command,     add_limit_command,    add_suite_command,   add_grade_command,
+        add_report_command,  add_power_command,    add_predict_command, add_export_command,
+        add_compare_command, add_replay_command,   add_explain_command, add_merge_command,
+        add_import_command,  add_planners_command, add_maps_command,    add_sensors_command,
+        add_metrics_command, add_config_command,   add_help_command,    add_completion_command}) {
     add(app);
   }
 }
@@ -142,6 +128,7 @@ void show_defaults(CLI::App& app) {
 
 int run_program(int argc, const char* const* argv) {
   CLI::App app("Benchmark of obstacle-avoidance planners for multirotors.", "avoidbench");
+  app.formatter(std::make_shared<WrappedHelp>());
   app.set_version_flag("--version", version_text(), "Print version, git hash and compiler");
   app.add_flag_callback(
       "--cite",
@@ -160,8 +147,8 @@ int run_program(int argc, const char* const* argv) {
       "  avoidbench run quick             fly a small sweep\n"
       "  avoidbench report                see its results\n"
       "  avoidbench config sweeps         other sweeps that come with it\n"
-      "  avoidbench config defaults       all that a sweep file can say\n"
-      "  avoidbench planners new NAME     begin a planner\n"
+      "  avoidbench config defaults       every key of a sweep file\n"
+      "  avoidbench planners new NAME     write a first planner\n"
       "  avoidbench suite list            frozen maps, to compare it with others\n\n"
       "Exit codes: 0 done, 1 done but a check failed, 2 usage or input, 3 an error of this "
       "program");
@@ -193,8 +180,8 @@ std::string shortage(const std::exception& error) {
   if (of_system == nullptr || of_system->code() != std::errc::resource_unavailable_try_again) {
     return "";
   }
-  return "the system starts no further process or thread (ulimit -u, or the limit of a container): "
-         "raise the limit, or end other processes";
+  return "the system can't start another process or thread (ulimit -u, or the limit of a "
+         "container): raise the limit, or end other processes";
 }
 
 /// Runs the program, prints what is wrong with its input, and returns the exit code.

@@ -73,7 +73,7 @@ void find(const FindOptions& options) {
   if (found.seeds.empty()) {
     throw InputError("none of seeds 1 to " + std::to_string(options.target.most_seeds) + " has " +
                      options.metric + " within " + number_text(options.target.within) + " of " +
-                     number_text(options.target.wanted) + "; take a wider --within");
+                     number_text(options.target.wanted) + "; try a wider --within");
   }
   print_found(options, found);
 }
@@ -81,22 +81,22 @@ void find(const FindOptions& options) {
 }  // namespace
 
 void add_maps_find_command(CLI::App& maps) {
-  const auto [command, options] =
-      add_command(maps, "find",
-                  "Maps of a wanted difficulty: a parameter and seeds, as YAML for a sweep", find);
+  const auto [command, options] = add_command(
+      maps, "find", "Find maps of a given difficulty: a parameter and seeds, as YAML for a sweep",
+      find);
   command.add_option("map", options.spec, "Generator, sweep file, or file with a map's fields")
       ->required();
   command.add_option("--metric", options.metric, "Metric of maps or missions (avoidbench metrics)");
-  command.add_option("--value", options.target.wanted, "Its wanted value")->required();
+  command.add_option("--value", options.target.wanted, "Its target value")->required();
   add_number(command, "--within", options.target.within, CLI::PositiveNumber,
-             "How far from it a map may be");
-  command.add_option("--vary", options.vary, "The field that is fitted");
-  command.add_option("--between", options.between, "Its least and greatest value")->expected(2);
+             "Allowed deviation from the target");
+  command.add_option("--vary", options.vary, "Field to adjust");
+  command.add_option("--between", options.between, "Its range")->expected(2);
   add_number(command, "--count", options.target.count, CLI::Range(1, 10'000), "Maps wanted");
   add_number(command, "--seeds", options.target.most_seeds, CLI::Range(1, 1'000'000),
              "Seeds tried: 1 to this");
   add_number(command, "--missions", options.missions, CLI::Range(1, 10'000),
-             "Missions a metric of missions is taken of");
+             "Missions per map for metrics of missions");
   add_overrides(command, options.overrides, "bush_ratio=0");
 }
 

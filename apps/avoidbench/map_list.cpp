@@ -65,10 +65,11 @@ void add_maps_list_command(CLI::App& maps) {
   const auto [command, options] = add_command<ListOptions>(
       maps, "list", "The generators; or the obstacle fields of the original AvoidBench's suites",
       [](const ListOptions& asked) { asked.fields ? list_fields(asked) : list_generators(asked); });
-  CLI::Option* fields = command.add_flag(
-      "--fields", options.fields,
-      "Each map of the original's suites: Poisson radius, relative gap size, the original's map "
-      "seed, obstacles in the whole field and the first of their positions in its own frame");
+  CLI::Option* fields =
+      command.add_flag("--fields", options.fields,
+                       "Each map of the original's suites: Poisson radius, relative gap size, the "
+                       "original's map seed, obstacles in the complete field, and the first "
+                       "obstacle positions in the field's frame");
   add_choice(command, "--suite", options.suite, {"outdoor", "indoor"},
              "outdoor or indoor (default: both)")
       ->needs(fields);

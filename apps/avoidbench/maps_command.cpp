@@ -194,7 +194,7 @@ void add_maps_command(CLI::App& app) {
   const auto options = std::make_shared<MapOptions>();
   CLI::App* command = app.add_subcommand("maps", "List generators; draw, measure and export maps");
   command->footer(
-      "Of a sweep's several maps the first is taken; --set and --seed choose another.\n\n"
+      "For a sweep with several maps, the first is used; --set and --seed choose another.\n\n"
       "Examples:\n"
       "  avoidbench maps show forest --set poisson_radius_m=3 --view top --png forest.png\n"
       "  avoidbench maps show hall --page hall.html\n"
@@ -208,14 +208,13 @@ void add_maps_command(CLI::App& app) {
              "first_person, or depth (what the mission's camera sees at its start)");
   CLI::Option* png = show_command->add_option("--png", options->png, "File to write");
   add_typed(*show_command, "--page", options->page, "FILE",
-            "Write a page in place of a picture: one HTML file with the map in 3-D")
+            "Write a page instead of a picture: one HTML file with the map in 3-D")
       ->excludes(png);
   add_number(*show_command, "--mission", options->view.mission_index, CLI::Range(0, 1'000'000),
              "Mission of top, first_person and depth");
-  CLI::Option* width =
-      add_number(*show_command, "--width", options->view.width_px, CLI::Range(64, 8192),
-                 "Width, pixels; where neither it nor the height is given, a plan (top) "
-                 "takes the map's shape");
+  CLI::Option* width = add_number(
+      *show_command, "--width", options->view.width_px, CLI::Range(64, 8192),
+      "Width, pixels; if neither width nor height is given, a plan (top) has the map's shape");
   CLI::Option* height = add_number(*show_command, "--height", options->view.height_px,
                                    CLI::Range(64, 8192), "Height, pixels");
   add_number(*show_command, "--samples", options->view.samples, CLI::Range(1, 8),
@@ -230,18 +229,18 @@ void add_maps_command(CLI::App& app) {
   add_number(*info_command, "--missions", options->missions, CLI::Range(0, 100'000),
              "Missions to measure; 0: no metrics at all");
   add_number(*info_command, "--point-cloud", options->point_cloud_m, CLI::Range(0.02, 5.0),
-             "Traversability as the original computes it too, from a point cloud of this "
-             "resolution, m (default: without)");
+             "Also compute traversability as the original does, from a point cloud of this "
+             "resolution, m (default: off)");
   add_output_options(*info_command, options->output);
   info_command->callback([options] { info(*options); });
   CLI::App* export_command = command->add_subcommand(
       "export", "Write a map for other programs: x, y, z in metres, z up (glTF: y up)");
   add_map_options(*export_command, *options);
-  export_command->add_option("file", options->file, "File to write; its ending says the format")
+  export_command->add_option("file", options->file, "File to write; its extension sets the format")
       ->required();
   add_choice(*export_command, "--as", options->export_as, {"mesh", "cloud", "occupancy"},
              "mesh (.glb, .obj, .ply, .stl), cloud (.ply: centres of the cells that surfaces "
-             "touch) or occupancy (.npy with a .json beside it)");
+             "touch) or occupancy (.npy with a .json next to it)");
   add_number(*export_command, "--resolution", options->resolution_m, CLI::Range(0.01, 10.0),
              "Size of a cell, m");
   export_command->callback([options] { export_map(*options); });

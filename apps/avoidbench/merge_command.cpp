@@ -45,7 +45,7 @@ void merge(const MergeCommand& command) {
     const MergeResult result = merge_database(into, file);
     std::cout << file << ": " << result.trials << " trials, " << result.new_trials << " new\n";
     for (const std::string& problem : merge_kept_files(command.into, file)) {
-      std::cerr << "warning: a kept file is not taken over: " << problem << '\n';
+      std::cerr << "warning: a kept file is not copied: " << problem << '\n';
     }
   }
   const bool is_complete = print_completeness(into);
@@ -59,17 +59,16 @@ void merge(const MergeCommand& command) {
 
 void add_merge_command(CLI::App& app) {
   const auto [command, options] =
-      add_command(app, "merge", "Put databases, of shards say, into one", merge);
-  command.add_option("OUT", options.into, "Database to merge into; made if there is none")
+      add_command(app, "merge", "Merge databases, such as those of shards, into one", merge);
+  command.add_option("OUT", options.into, "Database to merge into; created if it does not exist")
       ->required();
-  command.add_option("DB", options.from, "Databases to take from; they stay as they are")
-      ->required();
+  command.add_option("DB", options.from, "Databases to read; they are not changed")->required();
   command.add_flag("--complete", options.must_be_complete,
-                   "Exit code 1 where trials of a sweep are missing");
+                   "Exit code 1 if trials of a sweep are missing");
   command.footer(
-      "Rows that are there already stay: merging twice, or in another order, gives the same "
-      "database. A trial that\n"
-      "two files hold with different results is an error, and nothing of that file is merged.\n\n"
+      "Existing rows stay: merging twice, or in another order, gives the same database. If two "
+      "files have different results\n"
+      "for a trial, that is an error, and nothing of that file is merged.\n\n"
       "Example:\n"
       "  avoidbench run sweep.yaml --shard 1/3 --db a.db     # on three machines\n"
       "  avoidbench merge all.db a.db b.db c.db");

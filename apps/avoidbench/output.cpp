@@ -49,15 +49,14 @@ void check_ending(const std::filesystem::path& file, std::string_view format) {
   const auto* const known = std::find_if(std::begin(kEndings), std::end(kEndings),
                                          [&](const auto& one) { return one.first == ending; });
   if (known == std::end(kEndings) || known->second == format) return;
-  std::string message =
-      "ends in " + ending + ", but what is written there is " + std::string(format);
+  std::string message = "ends in " + ending + ", but the output is " + std::string(format);
   const auto* const wanted = std::find_if(std::begin(kEndings), std::end(kEndings),
                                           [&](const auto& one) { return one.second == format; });
   if (wanted != std::end(kEndings)) {
     message += ": name it " + std::filesystem::path(file).replace_extension(wanted->first).string();
   }
   if (wanted == std::end(kEndings) && enum_from_text<TableFormat>(known->second)) {
-    message += ": --format " + std::string(known->second) + " writes what it says";
+    message += ": --format " + std::string(known->second) + " writes this format";
   }
   refuse_file(file, message);
 }
@@ -115,7 +114,7 @@ void write_sections(std::span<const Section> sections, const OutputOptions& opti
 std::filesystem::path made_folder(const std::string& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (error) refuse_file(folder, "is no folder and can't be made one: " + error.message());
+  if (error) refuse_file(folder, "is not a folder and can't be created: " + error.message());
   if (::access(folder.c_str(), W_OK) != 0) {
     refuse_file(folder, std::string("can't be written: ") + std::strerror(errno));
   }
@@ -124,7 +123,7 @@ std::filesystem::path made_folder(const std::string& folder) {
 
 void warn_of_granted(const std::string& planner_label, const std::string& granted) {
   std::cerr << "warning: planner " << visible_line(planner_label) << " declares that it needs "
-            << granted << ": its sandbox lets it\n";
+            << granted << ": its sandbox allows it\n";
 }
 
 }  // namespace avoidbench

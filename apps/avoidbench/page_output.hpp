@@ -6,8 +6,7 @@
 
 namespace avoidbench {
 
-/// Throws InputError where this program has no page built in, or the file can't be written. For
-/// before any work.
+/// Throws InputError if the file can't be written. For before any work.
 void check_page(const std::string& file);
 
 /// What made a page, with the command that asked for it.

@@ -205,23 +205,24 @@ void wrap(const WrapOptions& options) {
 
 void add_wrap_command(CLI::App& planners) {
   const auto options = std::make_shared<WrapOptions>();
-  CLI::App* command = planners.add_subcommand(
-      "wrap",
-      "Make a planner of a ROS 1 launch file: write the CMakeLists.txt and the topics.yaml that "
-      "compile its nodes unchanged (docs/ros.md)");
+  CLI::App* command =
+      planners.add_subcommand("wrap",
+                              "Make a planner from a ROS 1 launch file: write the CMakeLists.txt "
+                              "and the topics.yaml that compile its nodes unchanged (docs/ros.md)");
   command->add_option("launch", options->launch, "Launch file of a catkin package")->required();
   command->add_option("arguments", options->arguments, "Its arguments: NAME:=VALUE");
   command
       ->add_option("--workspace", options->workspace,
-                   "Where its packages lie [the src folder or repository above it]")
+                   "Folder of its packages [the src folder or repository above it]")
       ->option_text("FOLDER");
-  command->add_option("--folder", options->folder, "Where the two files go [NAME]")
+  command->add_option("--folder", options->folder, "Folder for the two files [NAME]")
       ->option_text("FOLDER");
   command->add_option("--name", options->name, "Planner's name [that of the launch file's package]")
       ->option_text("NAME");
   command->footer(
       "Sources are read, not changed; nothing is built or started. Both files mark what was "
-      "guessed, and what\ncan't be told is asked for in one line each.\n\n"
+      "guessed, and have\n"
+      "a line to fill in for each value that can't be found.\n\n"
       "Example:\n"
       "  avoidbench planners wrap ~/catkin_ws/src/my_planner/launch/fly.launch max_vel:=3");
   command->callback([options] { wrap(*options); });
@@ -237,12 +238,12 @@ void add_planners_command(CLI::App& app) {
   };
   const auto options = std::make_shared<Options>();
   CLI::App* command =
-      app.add_subcommand("planners", "List, describe, check, begin and wrap planners");
+      app.add_subcommand("planners", "List, describe, check, create and wrap planners");
   command->footer(
       "Planners are looked up in AVOIDBENCH_PLANNER_PATH (folders separated by colons), the build "
       "tree's planners/\n"
-      "and the install's plugin folder; a name with a slash is a file. Each is loaded by a process "
-      "of its own, which\n"
+      "and the install's plugin folder; a name with a slash is a file. Each is loaded in a "
+      "separate process, which\n"
       "has 10 s to answer, or AVOIDBENCH_LOAD_LIMIT_S.\n\n"
       "Examples:\n"
       "  avoidbench planners list\n"
@@ -252,11 +253,11 @@ void add_planners_command(CLI::App& app) {
       "  avoidbench planners wrap my_package/launch/fly.launch");
   CLI::App* list_command = command->add_subcommand("list", "All planners on the search path");
   CLI::App* describe_command =
-      command->add_subcommand("describe", "What a planner sees, commands, and can be tuned by");
+      command->add_subcommand("describe", "A planner's inputs, commands and parameters");
   CLI::App* check_command = command->add_subcommand(
       "check",
-      "Try every rule of the planner interface on a library, in a process of its own, and measure "
-      "its calls; exit code 1 where a rule fails");
+      "Test a library against every rule of the planner interface, in a separate process, and "
+      "measure its calls; exit code 1 if a rule fails");
   for (CLI::App* each : {list_command, describe_command, check_command}) {
     add_output_options(*each, options->output);
   }
@@ -264,15 +265,16 @@ void add_planners_command(CLI::App& app) {
     each->add_option("planner", options->plugin, "Name or file of a planner")->required();
   }
   CLI::App* new_command = command->add_subcommand(
-      "new", "Write a small planner that builds and flies, to begin from, and a sweep with it");
+      "new",
+      "Write a small planner that builds and flies, as a starting point, and a sweep for it");
   new_command->add_option("name", options->name, "Of a-z, 0-9 and _; also the name of its folder")
       ->required();
-  new_command->add_flag("--here", options->is_here, "Into this folder, not into one of its name");
+  new_command->add_flag("--here", options->is_here,
+                        "Folder to write into, instead of one of its name");
   new_command
-      ->add_option(
-          "--kind", options->kind,
-          "example: in C++; class: a C++ class of yours, with plain inputs; python; weights: "
-          "a Python class with a net's weights")
+      ->add_option("--kind", options->kind,
+                   "example: in C++; class: your own C++ class, with plain inputs; python; "
+                   "weights: a Python class with a network's weights")
       ->check(CLI::IsMember({"example", "class", "python", "weights"}))
       ->option_text("KIND [example]");
   new_command->callback([options] { make_new(options->name, options->kind, options->is_here); });

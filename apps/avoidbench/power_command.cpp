@@ -41,7 +41,8 @@ void print_power(const PowerOptions& asked) {
 
 void add_power_command(CLI::App& app) {
   const auto [command, options] = add_command<PowerOptions>(
-      app, "power", "How many trials tell two success rates apart, or how many maps two v90",
+      app, "power",
+      "Find how many trials tell two success rates apart, or how many maps tell two v90 apart",
       print_power);
   PowerQuestion& question = options.question;
   command.add_option("--sr", question.success_rate, "Success rate of the better planner");
@@ -52,21 +53,20 @@ void add_power_command(CLI::App& app) {
                      "Share of missions on which two planners end differently, for paired tests "
                      "[that of independent planners]");
   command.add_option("--trials", question.trials,
-                     "Trials per planner: what can be found with them");
+                     "Trials per planner: shows what can be found with them");
   CLI::Option* pilot =
       add_typed(command, "--pilot", options.pilot, "DB",
-                "A database whose sweep says how much v90 differs from map to map");
+                "Database of a pilot sweep, which shows how much v90 differs from map to map");
   add_typed(command, "--sweep", options.sweep, "NAME", "Sweep of the pilot")->needs(pilot);
   add_number(command, "--detect-v90", options.detect_v90_mps, CLI::PositiveNumber,
-             "Difference of v90 to find, m/s: maps instead of trials, by the pilot's pairs of "
-             "planners")
+             "Difference of v90 to find, m/s: counts maps instead of trials, for the pilot's pairs "
+             "of planners")
       ->needs(pilot);
   add_output_options(command, options.output);
   command.footer(
-      "Example: what tells a planner that reaches its goal in 90 % of trials from one that does in "
-      "85 %?\n"
+      "Example: how many trials tell a planner with a success rate of 90 % from one with 85 %?\n"
       "  avoidbench power --sr 0.9 --detect 0.05\n"
-      "What tells two planners apart whose v90 differ by 0.2 m/s?\n"
+      "How many maps tell two planners apart whose v90 differ by 0.2 m/s?\n"
       "  avoidbench power --detect-v90 0.2 --pilot results/forest_small.db");
 }
 

@@ -141,41 +141,40 @@ void predict(const PredictOptions& options) {
 
 void add_predict_command(CLI::App& app) {
   const auto [command, options] = add_command<PredictOptions>(
-      app, "predict",
-      "Success that planners can be expected to have on a map that nobody has flown", predict);
+      app, "predict", "Predict planners' success on a map that has not been flown", predict);
   command.add_option("FLOWN", options.flown,
                      "Databases and folders of results of suites to predict from (default: the "
                      "newest results/*.db)");
   CLI::Option* map = add_typed(command, "--map", options.map, "MAP",
-                               "Map to predict, as of maps info: a generator, or a file with a "
-                               "map's fields; it is made and measured");
+                               "Map to predict, as for maps info: a generator, or a file with a "
+                               "map's fields; it is generated and measured");
   add_overrides(command, options.overrides, "poisson_radius_m=3");
   command.add_option("--seed", options.map_seed, "Seed of the map")->needs(map);
   CLI::Option* traversability =
       add_number(command, "--traversability", options.traversability, CLI::PositiveNumber,
-                 "Normalised traversability of maps to predict, as maps info has it")
+                 "Normalised traversability of maps to predict, as printed by maps info")
           ->excludes(map);
   add_number(command, "--distance", options.distance_m, CLI::PositiveNumber,
              "Length of their missions' shortest paths, m")
       ->needs(traversability);
   add_number(command, "--missions", options.mission_count, CLI::Range(1, 10'000),
-             "Missions on the map, whose share of successes the interval is of");
+             "Missions on the map; the interval is for their share of successes");
   add_number(command, "--confidence", options.confidence, CLI::Range(0.5, 0.999),
-             "Of the intervals");
+             "Confidence level of the intervals");
   command.add_flag("--leave-kinds-out", options.must_leave_kinds_out,
                    "Judge predictions: each kind of map (generator) predicted from the flights on "
                    "all others");
   add_repeatable(command, "--judged-by", options.judged_by, "FLOWN",
-                 "Judge predictions by the flights of this database or folder, of planners of the "
-                 "same label; repeatable");
+                 "Judge predictions with the flights of this database or folder, for planners of "
+                 "the same label; repeatable");
   add_typed(command, "--suite", options.suite, "FOLDER/TRACK",
-            "Where the suite of the folders is (default: it comes with this program)");
+            "The suite of the folders (default: the one that comes with this program)");
   add_sweep_choice(command, options.sweep);
   add_where(command, options.where);
   add_output_options(command, options.output);
   command.footer(
-      "Failures per metre are taken to depend on the map's traversability and to differ from map "
-      "to map (docs/predict.md).\n\n"
+      "The model: failures per metre depend on the map's traversability and differ from map to map "
+      "(docs/predict.md).\n\n"
       "Examples:\n"
       "  avoidbench predict results/forest_small.db --traversability 0.6 --distance 30\n"
       "  avoidbench predict results/forest_small.db --map hall --missions 30\n"

@@ -132,7 +132,7 @@ Flown fly(const Task& task) {
     end = fly_recorded(task, wanted);
     if (end.death) {
       std::cerr << "warning: flown once more for its log and pictures, it ended before the call "
-                   "that it did not come back from ("
+                   "that did not return ("
                 << visible_line(end.death->reason) << "): there are none\n";
     }
   }
@@ -227,9 +227,9 @@ void replay_one(const Task& task) {
   const auto& [database, listing, flight, fleet, options] = task;
   for (const std::string& warning : flight.warnings) std::cerr << "warning: " << warning << '\n';
   if (flight.is_with_kept_planner) {
-    std::cerr << "the planner's file is gone or another one now: flown with the copy that the run "
-                 "kept, "
-              << flight.job.job.spec.planner.file << '\n';
+    std::cerr
+        << "the planner's file is gone or has changed: flown with the copy that the run kept, "
+        << flight.job.job.spec.planner.file << '\n';
   }
   std::cout << title_line(listing) << "\nstored    " << outcome_line(flight.stored.row.record)
             << "\n"
@@ -288,24 +288,24 @@ void replay(const ReplayOptions& options) {
 
 void add_choice_options(CLI::App& command, TrialChoice& choice) {
   command.add_option("TRIAL", choice.trial,
-                     "Id of the trial, or the beginning of its key (default: the one that the "
-                     "options below leave)");
+                     "Id of the trial, or the beginning of its key (default: the only one that the "
+                     "options below match)");
   command.add_option("--planner", choice.planner, "Only trials of this planner, by its label");
   command.add_option("--map-seed", choice.map_seed, "Only trials of maps with this seed");
   command.add_option("--mission", choice.mission, "Only trials of this mission");
   command.add_option("--outcome", choice.outcome,
-                     "Only trials that ended so: collided, timed_out, …");
+                     "Only trials with this outcome: collided, timed_out, …");
 }
 
 void add_view_options(CLI::App& command, ReplayOptions& options) {
-  CLI::Option* png = add_typed(command, "--png", options.png, "FILE",
-                               "Picture to write; of several, numbered ones");
+  CLI::Option* png =
+      add_typed(command, "--png", options.png, "FILE", "Picture to write; several are numbered");
   add_repeatable(command, "--at", options.at_s, "S",
                  "Moment to show, s; repeatable (default: the end of the flight)")
       ->check(CLI::NonNegativeNumber)
       ->needs(png);
   add_number(command, "--every", options.every_s, CLI::PositiveNumber,
-             "Show a moment each so many seconds, too")
+             "Also show moments at this interval, s")
       ->needs(png);
   add_typed(command, "--video", options.video, "FILE",
             "Film to write, .mp4, .webm or .gif: from behind, what the planner saw, from "
@@ -324,9 +324,9 @@ void add_replay_command(CLI::App& app) {
       "Fly stored trials again: one to see it (pictures, path, commands, log), or many to compare",
       replay);
   command.footer(
-      "The planner may draw what it thinks (avoidbench::Canvas of planner.hpp): pictures show it. "
-      "Exit code 1 where\nthe flight differs from the stored one though planner and program are "
-      "the same.\n\n"
+      "Pictures show what the planner draws (avoidbench::Canvas of planner.hpp). Exit code 1 if "
+      "the flight differs from the\n"
+      "stored one although planner and program are the same.\n\n"
       "Examples:\n"
       "  avoidbench replay results/quick.db --list --outcome collided\n"
       "  avoidbench replay results/quick.db --list --sort min_clearance_m --limit 5\n"
@@ -346,12 +346,11 @@ void add_replay_command(CLI::App& app) {
   CLI::Option* list = command.add_flag(
       "--list", options.is_list,
       "List these trials and fly none; as csv or json with keys, starts and goals");
-  CLI::Option* verify =
-      command
-          .add_flag("--verify", options.is_verify,
-                    "Fly all of these trials again and compare them bit for bit; exit code 1 where "
-                    "one differs")
-          ->excludes(list);
+  CLI::Option* verify = command
+                            .add_flag("--verify", options.is_verify,
+                                      "Fly all of these trials again and compare them bit for bit; "
+                                      "exit code 1 if one differs")
+                            ->excludes(list);
   command
       .add_option("--sample", options.sample,
                   "Share of them to verify, such as 10%, chosen by their keys")
@@ -362,8 +361,9 @@ void add_replay_command(CLI::App& app) {
   add_view_options(command, options);
   add_typed(command, "--csv", options.csv, "FILE", "Path to write as CSV");
   add_typed(command, "--commands", options.commands, "FILE", "The planner's calls to write as CSV");
-  command.add_option("--log", options.log_lines,
-                     "Most lines of the planner's log, and of what it printed; 0: all");
+  command.add_option(
+      "--log", options.log_lines,
+      "Maximum number of lines of the planner's log, and of what it printed; 0: all");
   add_replay_options(command, options.flights);
   add_output_options(command, options.output);
 }

@@ -91,7 +91,7 @@ void verify_trials(const VerifyChoice& choice, ReplayPlanners& planners,
   });
   const std::string& library = planners.files().planner;
   if (!library.empty() && has_several) {
-    throw OptionError(library + ": the trials are of several planners: choose one by --planner",
+    throw OptionError(library + ": the trials are of several planners: choose one with --planner",
                       "library");
   }
   std::vector<TrialListing> sampled;
@@ -107,11 +107,11 @@ void verify_trials(const VerifyChoice& choice, ReplayPlanners& planners,
   if (passed_over > 0) {
     std::cout << passed_over << " crashed or hung and were not flown: see avoidbench run --rerun\n";
   }
-  if (recorded > 0) std::cout << recorded << " are real flights, which nothing can fly again\n";
+  if (recorded > 0) std::cout << recorded << " are real flights, which can't be flown again\n";
   if (verified.with_copy > 0) {
     std::cerr << verified.with_copy
-              << " of them with copies of planners that the run kept: their files are gone or "
-                 "others now\n";
+              << " of them with copies of planners that the run kept: their files are gone or have "
+                 "changed\n";
   }
   if (sampled.empty() && passed_over + recorded == 0) {
     std::cerr << "the sample has no trial: make it larger\n";
@@ -119,7 +119,7 @@ void verify_trials(const VerifyChoice& choice, ReplayPlanners& planners,
   if (verified.flown + verified.unflown < sampled.size()) {
     std::cout << std::flush;
     end_stopped(signals, "stopped: " + std::to_string(sampled.size() - verified.flown) +
-                             " more were to be flown");
+                             " more were left to fly");
   }
   if (!verified.lines.empty() || verified.unflown > 0) throw CLI::RuntimeError(kExitDiffers);
 }

@@ -242,7 +242,7 @@ void write_report_files(const std::string& database, const std::string& report_f
   options.files = {database};
   options.output = {.format = TableFormat::markdown, .output = report_file};
   options.is_all = true;
-  if (page_program().missing.empty()) options.page = page;
+  options.page = page;
   report(options);
 }
 
@@ -252,22 +252,21 @@ void add_report_command(CLI::App& app) {
                   "Tables of results: success rates with intervals, means, outcomes, contrast "
                   "factors, response to difficulty",
                   report);
-  command.add_option(
-      "DB", options.files,
-      "Databases; parts of one sweep are taken together (default: the newest results/*.db)");
+  command.add_option("DB", options.files,
+                     "Databases; parts of one sweep are merged (default: the newest results/*.db)");
   add_output_options(command, options.output);
   add_sweep_choice(command, options.sweep);
   add_typed(command, "--plots", options.plots, "FOLDER",
-            "Folder for the pictures of the paper, too, as PDF and PNG; needs Python with "
+            "Also draw the paper's figures into this folder, as PDF and PNG; needs Python with "
             "matplotlib and pandas");
   CLI::Option* page =
       add_typed(command, "--page", options.page, "FILE",
                 "Also write a page: one HTML file, to be opened in a browser without a "
                 "network, with charts, all trials and their flights in 3-D (docs/page.md)");
-  add_number(command, "--page-size", options.page_mb, CLI::Range(1.0, 1000.0),
-             "Most megabytes of the page; flights for which there is no room are left out, "
-             "failures last, tables and numbers of trials never (default: 3 for each 1,000 "
-             "trials, at least 3, at most 15)")
+  add_number(
+      command, "--page-size", options.page_mb, CLI::Range(1.0, 1000.0),
+      "Maximum size of the page, MB; flights that don't fit are left out, failures last, tables "
+      "and numbers of trials never (default: 3 for each 1,000 trials, at least 3, at most 15)")
       ->needs(page)
       ->type_name("MB");
   add_list(command, "--metrics", options.metrics,
@@ -275,8 +274,8 @@ void add_report_command(CLI::App& app) {
            "and energy optimality, average goal velocity, mission progress, processing time as "
            "CPU and wall time)");
   add_repeatable(command, "--metrics-from", options.metric_files, "FILE",
-                 "File with custom metrics, FILE.sql or FILE.py (docs/reports.md): shown beside "
-                 "the others; repeatable");
+                 "File with custom metrics, FILE.sql or FILE.py (docs/reports.md): shown with the "
+                 "others; repeatable");
   add_list(command, "--group-by", options.group_by,
            "Columns to group trials by, separated by commas: a field of the trials (planner, "
            "traversability, map.poisson_radius_m, wind.mean_world_mps, sensor, …), or FIELD/5 for "
@@ -286,8 +285,8 @@ void add_report_command(CLI::App& app) {
            "Tables to show, separated by commas: " + joined(table_names()) +
                " (default: speed, planners, outcomes, pairs, and groups if each has several maps)");
   command.add_flag("--check", options.must_check,
-                   "Check all that is stored of each trial against its digests first, flights and "
-                   "plan calls too; without it, rows and what is read");
+                   "First check everything that is stored of each trial against its digests, "
+                   "including flights and plan calls (default: rows and what is read)");
   command.add_flag("--all", options.is_all,
                    "Every table except maps, speed_curve and flight_time_curve, every warning, and "
                    "what each column means; csv and json always have all of it");

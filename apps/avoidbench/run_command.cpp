@@ -65,22 +65,23 @@ void add_run_command(CLI::App& app) {
       add_command(app, "run", "Fly a sweep's trials and store them in a database", run);
   add_sweep_options(command, options);
   add_typed(command, "--shard", options.shard, "I/N|auto|auto/N",
-            "Fly this part of the sweep only, of N for as many machines; auto: the task of "
-            "a Slurm, PBS or Kubernetes array");
+            "Fly only this part of the sweep, one of N for N machines; auto: the task of a Slurm, "
+            "PBS or Kubernetes array");
   add_typed(command, "--until", options.until, "RULE",
-            "When a planner has flown enough, as in 'success_rate ci<0.05': its success "
-            "rate is known to ± 0.05 (95 %); looked at after each tenth of the missions. "
-            "Part of the sweep, as --set until=RULE");
+            "When a planner has flown enough, as in 'success_rate ci<0.05': its success rate is "
+            "known to ± 0.05 (95 %); checked after each tenth of the missions. Part of the sweep, "
+            "like --set until=RULE");
   add_typed(command, "--rerun", options.rerun, "failed|all|KEY",
-            "Fly trials again that are there: failed (planner_error, planner_crashed, "
-            "planner_hung), all, or one by its key");
-  command.add_flag("--dry-run", options.dry_run,
-                   "Print the trials and fly none; what they will take, where some were flown");
+            "Fly stored trials again: failed (planner_error, planner_crashed, planner_hung), all, "
+            "or one by its key");
+  command.add_flag(
+      "--dry-run", options.dry_run,
+      "Print the trials and fly none; with an estimate of time and size, if some were flown");
   add_flight_options(command, options);
   command.footer(
       "The same sweep gives the same rows for any number of workers. Trials that the database has "
       "are skipped, so the\n"
-      "same command goes on where it was stopped.\n\n"
+      "same command resumes where it was stopped.\n\n"
       "Examples:\n"
       "  avoidbench run quick\n"
       "  avoidbench run forest_small --set trials=20 --db forest.db --jobs 2\n\n"

@@ -32,7 +32,7 @@ void print_revision(const Database& database, const std::string& sweep,
   }
   std::cerr << "warning: " << database.path().string() << " has sweep " << sweep
             << " with other contents: this is its revision " << number << " ("
-            << visible_line(joined(changes, "; ")) << "). Trials that both ask for are taken over; "
+            << visible_line(joined(changes, "; ")) << "). Trials that both ask for are reused; "
             << "reports show the latest revision, " << report << " --sweep " << sweep << "@"
             << revision.revision - 1 << " the former one\n";
 }
@@ -40,15 +40,15 @@ void print_revision(const Database& database, const std::string& sweep,
 void print_summary(const RunSummary& summary, int ignored_signals) {
   const Progress& progress = summary.progress;
   if (progress.done_before > 0) {
-    std::cerr << progress.done_before << " trials were there already\n";
+    std::cerr << progress.done_before << " trials are already in the database\n";
   }
   if (progress.invalid_missions > 0) {
     std::cerr << progress.invalid_missions
-              << " trials have an invalid mission (no free start or goal, or no way between them) "
+              << " trials have an invalid mission (no free start or goal, or no path between them) "
                  "and are not flown\n";
   }
   for (const std::string& problem : summary.unkept) {
-    std::cerr << "warning: no copy is kept of what was flown with: " << problem << '\n';
+    std::cerr << "warning: no copy of a file that was used is kept: " << problem << '\n';
   }
   for (const auto& [label, count] : summary.left_behind) {
     std::cerr << "warning: planner " << label << " left " << count

@@ -27,8 +27,6 @@
 namespace avoidbench {
 namespace {
 
-constexpr int kExitUnflown = 1;
-
 /// What workers enter; "" for none.
 std::string sandbox_of(const RunCommand& command) {
   return command.no_sandbox || command.in_process ? "" : text(sandbox_support());
@@ -119,10 +117,10 @@ OnWait patience(const RunCommand& command, const StopSignals& signals,
 
 [[noreturn]] void end_stopped_run(const StopSignals& signals) {
   if (signals.stop_now) {
-    std::cerr << "ended at once; run the same command again to go on\n";
+    std::cerr << "ended at once; run the same command again to resume\n";
     throw CLI::RuntimeError(128 + signals.number);
   }
-  end_stopped(signals, "stopped; run the same command again to go on");
+  end_stopped(signals, "stopped; run the same command again to resume");
 }
 
 Database open_database(const RunCommand& command, const StopSignals& signals,
@@ -165,14 +163,14 @@ void add_protection(CLI::App& command, RunCommand& options) {
   command.add_flag("--in-process", options.in_process, "Fly in this process, for debuggers");
   command.add_flag("--no-sandbox", options.no_sandbox,
                    "Let planners write files, start programs and use the network (docs/trust.md)");
-  CLI::Option* bundle = command.add_flag(
-      "--bundle", options.is_bundle,
-      "Keep copies of maps and wind fields from files beside the database, too (NAME.maps), so "
-      "that what you send can be flown again");
+  CLI::Option* bundle =
+      command.add_flag("--bundle", options.is_bundle,
+                       "Also keep copies of map and wind field files next to the database "
+                       "(NAME.maps), so that others can fly its trials again");
   command
       .add_flag("--no-keep", options.no_keep,
-                "Keep no copies of the planners beside the database (NAME.planners), by which "
-                "replay flies a trial again after a rebuild")
+                "Keep no copies of the planners next to the database (NAME.planners), which replay "
+                "uses to fly a trial again after a rebuild")
       ->excludes(bundle);
 }
 
@@ -264,12 +262,12 @@ void add_limit_options(CLI::App& command, RunCommand& options) {
   add_number(command, "--plan-timeout", options.plan_timeout_s, CLI::PositiveNumber,
              "Wall time after which a plan call counts as hung, s");
   add_number(command, "--trial-timeout", options.trial_timeout_s, CLI::PositiveNumber,
-             "Wall time after which a whole trial counts as hung, s");
+             "Wall time after which a trial counts as hung, s");
   add_number(command, "--memory-limit", options.memory_limit_mib, CLI::PositiveNumber,
-             "Resident memory of a worker, MiB; its trial ends with planner_crashed beyond "
-             "it [nine tenths of what there is, shared by the workers]");
+             "Limit of a worker's resident memory, MiB; beyond it, its trial ends with "
+             "planner_crashed [nine tenths of the memory, shared by the workers]");
   add_number(command, "--grace", options.grace_s, CLI::NonNegativeNumber,
-             "Time that trials in flight have after a signal to stop, s");
+             "Time for trials in flight to finish after a signal to stop, s");
 }
 
 void add_flight_options(CLI::App& app, RunCommand& options) {
@@ -277,7 +275,7 @@ void add_flight_options(CLI::App& app, RunCommand& options) {
   app.add_option("--progress", options.progress, "On stderr: line, or json for machines")
       ->check(CLI::IsMember({"line", "json"}));
   add_typed(app, "--heartbeat", options.heartbeat, "FILE",
-            "File that gets the progress as JSON every five seconds");
+            "File to write the progress to, as JSON, every five seconds");
   add_protection(app, options);
   app.add_flag("-q,--quiet", options.quiet, "No progress on stderr");
 }

@@ -14,6 +14,8 @@
 /// What `run` and `limit` share: the options by which a sweep is flown, and the flying.
 namespace avoidbench {
 
+inline constexpr int kExitUnflown = 1;
+
 struct RunCommand {
   std::string sweep_file;
   std::vector<std::string> overrides;

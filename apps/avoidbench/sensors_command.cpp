@@ -178,7 +178,7 @@ std::pair<std::string, std::vector<double>> swept(const std::string& over) {
     scalar.kind = YamlNode::Kind::scalar;
     scalar.scalar = text;
     const std::optional<double> value = number_of(scalar);
-    if (!value) throw InputError("--over " + over + ": '" + text + "' is no number");
+    if (!value) throw InputError("--over " + over + ": '" + text + "' is not a number");
     values.push_back(*value);
   }
   if (values.size() < 2) {
@@ -287,9 +287,11 @@ void add_sensors_command(CLI::App& app) {
       "distance away from steps in depth; all ~N px: errors within N px are alike; edges +N px: "
       "near things look N px wider.\n"
       "Columns of lidars: valid_pct of the shots come back; outlier_pct of those err by more than "
-      "5 range_sigma_m and 0.1 m;\nbias_m, sigma_m mean and standard deviation of the others' "
-      "errors; miss_pct of all misses are among these shots.\nRows: by distance to the first "
-      "surface along the reported direction; nothing in range: what comes back of these is false.");
+      "5 range_sigma_m and 0.1 m;\n"
+      "bias_m, sigma_m mean and standard deviation of the others' errors; miss_pct of all misses "
+      "are among these shots.\n"
+      "Rows: by distance to the first surface along the reported direction; nothing in range: "
+      "returns here are false.");
   add_typed(measure_command, "sensors", measure_options.sensors, "NAME|FILE",
             "Built-in sensors' names, or files")
       ->required();
@@ -299,8 +301,8 @@ void add_sensors_command(CLI::App& app) {
   add_number(measure_command, "--bin", measure_options.bin_m, CLI::Range(0.1, 1000.0),
              "Width of the rows' distance ranges, m");
   add_typed(measure_command, "--of", measure_options.kind, "KIND",
-            "Look at obstacles of this kind alone, as `maps info` counts them: cylinder, tree, "
-            "… (default: everything)");
+            "Measure only obstacles of this kind, as `maps info` counts them: cylinder, tree, … "
+            "(default: everything)");
   add_typed(measure_command, "--over", measure_options.over, "PATH=VALUES",
             "Measure at several values of a field, as in maps.texture_opacity=1,0.5,0 "
             "(default: at the map's own)");

@@ -26,7 +26,7 @@ void note_signal(int number, siginfo_t* info, void*) {
   } else if (!signals.stop.exchange(true) || !signals.stop_now.exchange(true)) {
     signals.number = number;
   } else {
-    constexpr std::string_view kText = "ended at once; run the same command again to go on\n";
+    constexpr std::string_view kText = "ended at once; run the same command again to resume\n";
     // A terminal that was stopped must not hold up the end.
     pollfd ready{.fd = STDERR_FILENO, .events = POLLOUT, .revents = 0};
     if (::poll(&ready, 1, 0) > 0) (void)!::write(STDERR_FILENO, kText.data(), kText.size());

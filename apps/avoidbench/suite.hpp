@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -21,15 +22,35 @@ struct SuiteOptions {
   std::string sample = "1%", salt;
   bool no_causes = false;
   RunCommand run;
+  /// Called before each sweep; throws where the planner shall not fly it.
+  std::function<void(const PlannerChoice&)> before_sweep = [](const PlannerChoice&) {};
 };
+
+/// The maps that options choose: --split or --sealed of a track.
+struct SuiteMaps {
+  SuiteTrack chosen;
+  Split split = Split::open;
+  std::string key;  ///< of sealed maps
+
+  std::string title() const;  ///< avoidbench-1/depth, public
+};
+
+/// Reads the key's file once.
+SuiteMaps suite_maps(const SuiteOptions& options);
 
 /// The planner that the options name.
 SuitePlanner planner_of(const SuiteOptions& options);
 
-/// Flies a suite's track and writes the folder of the result.
+/// Flies these maps with the options' planner and writes the folder of the result.
+SuiteResult fly_suite(const SuiteMaps& maps, const SuiteOptions& options);
+
+/// The same with the result's scores on standard output.
 void run_suite(const SuiteOptions& options);
 
 /// Checks a result's folder and flies a sample of it again.
 void verify_suite(const SuiteOptions& options);
+
+/// Workers, sandbox, progress and limits, as options of a command that flies a suite.
+void add_suite_flying(CLI::App& command, RunCommand& options);
 
 }  // namespace avoidbench

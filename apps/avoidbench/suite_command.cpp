@@ -66,8 +66,9 @@ void check_suite(const CheckOptions& options) {
     throw InputError("--cells: " + options.track + " has none of these; its cells are " +
                      joined(cells));
   }
-  std::cout << options.track << ": " << map_count << " maps with their missions made, "
-            << (problems.empty() ? "all as they were frozen" : "not as they were frozen") << '\n';
+  std::cout << options.track << ": " << map_count << " maps generated with their missions, "
+            << (problems.empty() ? "all equal to the frozen ones" : "not equal to the frozen ones")
+            << '\n';
   if (!problems.empty()) throw CLI::RuntimeError(kChanged);
 }
 
@@ -88,7 +89,7 @@ void show_board(const BoardOptions& options) {
   }
   if (Table agreement = agreement_table(boards); options.shows_agreement) {
     if (agreement.rows.empty()) {
-      throw OptionError("takes three results of one track and split at least", "agreement");
+      throw OptionError("needs at least three results of one track and split", "agreement");
     }
     sections = {{.name = "agreement", .title = "Agreement of rankings"}};
     sections.front().tables.push_back(std::move(agreement));
@@ -97,15 +98,6 @@ void show_board(const BoardOptions& options) {
   if (options.page.empty()) return;
   write_page(board_page(boards, page_origin(), std::filesystem::path(options.page).parent_path()),
              options.page);
-}
-
-void add_flying(CLI::App& command, RunCommand& options) {
-  add_number(command, "-j,--jobs", options.jobs, CLI::Range(0, 1024),
-             "Worker processes; 0: one per allowed CPU");
-  command.add_flag("--no-sandbox", options.no_sandbox,
-                   "Let planners write files, start programs and use the network (docs/trust.md)");
-  command.add_flag("-q,--quiet", options.quiet, "No progress on stderr");
-  add_limit_options(command, options);
 }
 
 void add_run_suite(CLI::App& suite) {
@@ -119,21 +111,21 @@ void add_run_suite(CLI::App& suite) {
             "Planner: its name, library or program; or a planner.yaml with settings, licence and "
             "source (docs/submit.md)")
       ->required();
-  add_typed(command, "--label", options.label, "TEXT", "What tables call it [its name]");
+  add_typed(command, "--label", options.label, "TEXT", "Its label in tables [its name]");
   add_repeatable(command, "--parameter", options.parameters, "NAME=VALUE",
                  "Value of one of its parameters, as max_speed_mps=3; repeatable");
   CLI::Option* split = add_choice(command, "--split", options.split, {"dev", "public"},
-                                  "Maps: dev, to tune on; or public, to be quoted");
+                                  "Maps: dev, for tuning; or public, for results to publish");
   add_typed(command, "--sealed", options.sealed, "KEYFILE",
             "Fly the sealed maps, whose seeds follow from the key in this file")
       ->excludes(split);
   add_typed(command, "--folder", options.folder, "FOLDER",
             "Folder of the result [results/suites/SUITE/TRACK/SPLIT/LABEL]");
   command.add_flag("--no-causes", options.no_causes,
-                   "Do not fly failures again to tell their causes");
-  add_flying(command, options.run);
+                   "Do not fly failures again to find their causes");
+  add_suite_flying(command, options.run);
   command.footer(
-      "The same command goes on where it was stopped. docs/suite.md\n\n"
+      "The same command resumes where it was stopped. docs/suite.md\n\n"
       "Examples:\n"
       "  avoidbench suite run avoidbench-1/depth --planner ./mine.so --split dev\n"
       "  avoidbench suite run avoidbench-1/depth --planner ego --parameter max_speed_mps=5 "
@@ -143,30 +135,37 @@ void add_run_suite(CLI::App& suite) {
 void add_verify_suite(CLI::App& suite) {
   const auto [command, options] = add_command(
       suite, "verify",
-      "Check a result's folder, and fly a sample of its flights again: are they the same?",
-      verify_suite);
+      "Check a result's folder, fly a sample of its flights again, and compare them", verify_suite);
   add_typed(command, "folder", options.folder, "FOLDER", "Folder of a result")->required();
   command.add_option("--sample", options.sample,
-                     "Share of the flights to fly again, such as 1% or 100%; one at least");
+                     "Share of the flights to fly again, such as 1% or 100%; at least one");
   add_typed(command, "--salt", options.salt, "TEXT",
-            "What chooses the sample with the flights' keys, such as the commit that brought the "
-            "result [the digest of trials.csv]");
-  add_typed(
-      command, "--planner", options.planner, "NAME|FILE",
-      "The planner, where it does not come with avoidbench: your library or program of it, or "
-      "a planner.yaml of yours; what a result names is not started on its word");
+            "Text that chooses the sample, together with the flights' keys, such as the commit "
+            "that added the result [the digest of trials.csv]");
+  add_typed(command, "--planner", options.planner, "NAME|FILE",
+            "The planner, if it does not come with avoidbench: your own copy of its library or "
+            "program, or your planner.yaml; a file that only the result names is not started");
   add_typed(command, "--suite", options.track, "FOLDER/TRACK",
-            "Track of a suite of your own that was flown");
+            "Track of your own suite that was flown");
   add_typed(command, "--sealed", options.sealed, "KEYFILE", "Key of the sealed maps");
-  add_flying(command, options.run);
+  add_suite_flying(command, options.run);
   command.footer("Exit codes: 0 verified, 1 refused, 2 usage or input");
 }
 
 }  // namespace
 
+void add_suite_flying(CLI::App& command, RunCommand& options) {
+  add_number(command, "-j,--jobs", options.jobs, CLI::Range(0, 1024),
+             "Worker processes; 0: one per allowed CPU");
+  command.add_flag("--no-sandbox", options.no_sandbox,
+                   "Let planners write files, start programs and use the network (docs/trust.md)");
+  command.add_flag("-q,--quiet", options.quiet, "No progress on stderr");
+  add_limit_options(command, options);
+}
+
 void add_suite_command(CLI::App& app) {
   CLI::App& suite = *app.add_subcommand(
-      "suite", "Frozen maps for all: fly a suite, verify results, compare them on a board");
+      "suite", "Frozen maps shared by all: fly a suite, verify results, compare them on a board");
   const auto [list, list_options] =
       add_command(suite, "list", "The tracks of suites that come with avoidbench", list_suites);
   add_output_options(list, list_options.output);
@@ -176,15 +175,16 @@ void add_suite_command(CLI::App& app) {
       suite, "board", "Results side by side: scores, and which of them differ", show_board);
   board.add_option("FOLDER", board_options.folders, "Folders of results")->required();
   add_typed(board, "--suite", board_options.suite, "FOLDER/TRACK",
-            "Track of a suite of your own that was flown");
+            "Track of your own suite that was flown");
   board.add_flag("--agreement", board_options.shows_agreement,
                  "Show instead how far rankings agree: Kendall's tau of the score with each "
                  "cell, and between splits and tracks");
   add_typed(board, "--page", board_options.page, "FILE",
             "Also write a page: one HTML file with S(v) of all results and links to their flights");
   add_output_options(board, board_options.output);
-  const auto [check, check_options] = add_command(
-      suite, "check", "Make a track's maps: are they those that the suite froze?", check_suite);
+  const auto [check, check_options] =
+      add_command(suite, "check",
+                  "Generate a track's maps and check that they equal the frozen ones", check_suite);
   add_typed(check, "track", check_options.track, "SUITE/TRACK", "Track")->required();
   add_list(check, "--cells", check_options.cells, "Only these cells, separated by commas");
 }

@@ -5,7 +5,6 @@
 #include "commands.hpp"
 #include "explain.hpp"
 #include "output.hpp"
-#include "page_program.hpp"
 #include "suite.hpp"
 #include "suite/suite_maps.hpp"
 #include "suite/suite_score.hpp"
@@ -48,8 +47,8 @@ void require_frozen(const std::string& file, const PlannedSweep& one, Split spli
   const std::string problem = maps_problem(*one.sweep, split, flown_maps(result, one.seeds));
   if (problem.empty()) return;
   throw InputError(
-      "this program makes other maps than the suite froze, so that its results are none of the "
-      "suite's: " +
+      "this program's maps differ from those that the suite froze, so its results would not be "
+      "valid for the suite: " +
       problem);
 }
 
@@ -86,53 +85,71 @@ SuitePlanner planner_of(const SuiteOptions& options) {
     return suite_planner(options.planner, options.label, options.parameters);
   }
   if (!options.label.empty() || !options.parameters.empty()) {
-    throw OptionError(options.planner + " says the label and the parameters itself", "planner");
+    throw OptionError(options.planner + " sets the label and the parameters itself", "planner");
   }
   return read_suite_planner(options.planner);
 }
 
-void run_suite(const SuiteOptions& options) {
-  const SuiteTrack chosen = suite_track(options.track);
-  const bool is_sealed = !options.sealed.empty();
-  const Split split = is_sealed ? Split::sealed : *enum_from_text<Split>(options.split);
-  const std::string key = is_sealed ? read_suite_key(options.sealed, chosen.suite) : "";
+std::string SuiteMaps::title() const {
+  return chosen.suite.name + "/" + chosen.track + ", " + std::string(text(split));
+}
+
+SuiteMaps suite_maps(const SuiteOptions& options) {
+  SuiteMaps maps{.chosen = suite_track(options.track), .split = Split::sealed, .key = {}};
+  if (options.sealed.empty()) {
+    maps.split = *enum_from_text<Split>(options.split);
+  } else {
+    maps.key = read_suite_key(options.sealed, maps.chosen.suite);
+  }
+  return maps;
+}
+
+SuiteResult fly_suite(const SuiteMaps& maps, const SuiteOptions& options) {
+  const SuiteSpec& suite = maps.chosen.suite;
   const SuitePlanner planner = planner_of(options);
-  const std::vector<PlannedSweep> sweeps = planned(chosen, split, key, planner);
+  const std::vector<PlannedSweep> sweeps = planned(maps.chosen, maps.split, maps.key, planner);
   const PlannerChoice flown = sweeps.front().spec.planners.front();
   const fs::path folder = made_folder(
-      options.folder.empty() ? "results/suites/" + chosen.suite.name + "/" + chosen.track + "/" +
-                                   std::string(text(split)) + "/" + safe_file_name(flown.label)
+      options.folder.empty() ? "results/suites/" + suite.name + "/" + maps.chosen.track + "/" +
+                                   std::string(text(maps.split)) + "/" + safe_file_name(flown.label)
                              : options.folder);
   RunCommand run = options.run;
   run.is_of_suite = true;
   run.database_file = (folder / "flights.db").string();
   for (std::size_t i = 0; i < sweeps.size(); ++i) {
-    std::cerr << chosen.suite.name << "/" << chosen.track << ", " << text(split) << ": sweep "
-              << i + 1 << " of " << sweeps.size() << ", " << sweeps[i].sweep->name << '\n';
+    options.before_sweep(flown);
+    std::cerr << maps.title() << ": sweep " << i + 1 << " of " << sweeps.size() << ", "
+              << sweeps[i].sweep->name << '\n';
     run.sweep_file = sweeps[i].sweep->name;
     const std::int64_t revision = fly_sweep(run, sweeps[i].spec, {});
-    require_frozen(run.database_file, sweeps[i], split, revision);
+    require_frozen(run.database_file, sweeps[i], maps.split, revision);
   }
   if (!options.no_causes) tell_causes(run.database_file, folder);
   const Database database = Database::open_for_reading(run.database_file);
-  std::vector<SuiteRow> rows = rows_of(database, chosen.suite);
-  const auto missions = static_cast<std::size_t>(mission_count(chosen.suite, split));
+  std::vector<SuiteRow> rows = rows_of(database, suite);
+  const auto missions = static_cast<std::size_t>(mission_count(suite, maps.split));
   if (rows.size() != missions) {
     throw InputError(folder.string() + ": " + std::to_string(rows.size()) + " flights, expected " +
                      std::to_string(missions));
   }
-  const SuiteResult result = result_of(chosen, split, planner, planner_row(flown), std::move(rows));
+  SuiteResult result =
+      result_of(maps.chosen, maps.split, planner, planner_row(flown), std::move(rows));
   write_result(result, folder);
   write_report_files(run.database_file, (folder / "report.md").string(),
                      (folder / "page.html").string());
-  const Section section{
-      .name = chosen.suite.name + "/" + chosen.track,
-      .title = chosen.suite.name + "/" + chosen.track + ", " + std::string(text(split)),
-      .tables = score_tables(chosen.suite, {score_of(chosen.suite, result)})};
+  std::cerr << "the result is in " << folder.string()
+            << ": trials.csv, planner.yaml, report.md, page.html; flights.db is yours to keep\n";
+  return result;
+}
+
+void run_suite(const SuiteOptions& options) {
+  const SuiteMaps maps = suite_maps(options);
+  const SuiteResult result = fly_suite(maps, options);
+  const SuiteSpec& suite = maps.chosen.suite;
+  const Section section{.name = suite.name + "/" + maps.chosen.track,
+                        .title = maps.title(),
+                        .tables = score_tables(suite, {score_of(suite, result)})};
   write_sections({&section, 1}, {});
-  std::cerr << "the result is in " << folder.string() << ": trials.csv, planner.yaml, report.md"
-            << (page_program().missing.empty() ? ", page.html" : "")
-            << "; flights.db is yours to keep\n";
 }
 
 }  // namespace avoidbench

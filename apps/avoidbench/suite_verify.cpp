@@ -63,8 +63,8 @@ SuiteTrack suite_of(const SuiteResult& result, const SuiteOptions& options) {
   const SuiteTrack chosen =
       suite_track(options.track.empty() ? result.suite + "/" + result.track : options.track);
   if (chosen.sha256 != result.track_sha256) {
-    refuse("it was flown in another " + result.suite + "/" + result.track + ": its SHA-256 is " +
-           result.track_sha256 + ", this one's " + chosen.sha256);
+    refuse("it was flown in a different " + result.suite + "/" + result.track +
+           ": its SHA-256 is " + result.track_sha256 + ", this one's " + chosen.sha256);
   }
   return chosen;
 }
@@ -80,8 +80,8 @@ SuitePlanner own_planner(const SuiteResult& result, const std::string& given) {
   if (given.empty()) {
     if (is_name(plugin) && plugin != "process") return planner;
     throw InputError("the result was flown by " + visible_line(plugin) +
-                     ", which is not started on its word: get the planner, look at it, and give "
-                     "your file of it by --planner");
+                     ", a file that only the result names and that is not started: get the "
+                     "planner, inspect it, and give your copy with --planner");
   }
   YamlNode file = node_at(planner.entry, YamlNode::Kind::scalar, given);
   // Relative to where it was typed.
@@ -134,7 +134,8 @@ void check_rows(const SuiteTrack& chosen, const SuiteResult& result,
     const auto sweep = std::find_if(sweeps.begin(), sweeps.end(), is_of);
     const auto key = sweep->key_at.find({row.map_seed, row.mission_index});
     if (key == sweep->key_at.end() || key->second != row.trial_key) {
-      refuse(place_of(row) + ": its key is none of this suite's with this planner and setting");
+      refuse(place_of(row) +
+             ": its key does not belong to this suite with this planner and setting");
     }
   }
 }
@@ -208,7 +209,7 @@ void verify_suite(const SuiteOptions& options) {
   const SuiteResult result = read_result(options.folder);
   const SuiteTrack chosen = suite_of(result, options);
   if (result.split == Split::sealed && options.sealed.empty()) {
-    throw InputError(options.folder + " is of sealed maps: give their key by --sealed KEYFILE");
+    throw InputError(options.folder + " is for sealed maps: give their key with --sealed KEYFILE");
   }
   const std::string key =
       result.split == Split::sealed ? read_suite_key(options.sealed, chosen.suite) : "";
@@ -229,7 +230,7 @@ void verify_suite(const SuiteOptions& options) {
             << result.track << " " << text(result.split) << ", " << result.rows.size()
             << " flights, score " << fixed_digits(score.score.value, 2) << " m/s\n";
   if (const std::string digest = flown_digest(own); digest != result.planner_digest) {
-    std::cerr << "note: the planner here is another build (SHA-256 " << digest.substr(0, 12)
+    std::cerr << "note: the planner here is a different build (SHA-256 " << digest.substr(0, 12)
               << "…) than the one that flew (" << result.planner_digest.substr(0, 12) << "…)\n";
   }
   const std::string salt =

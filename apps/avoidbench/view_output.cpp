@@ -110,7 +110,7 @@ void write_film(const StoredTrial& stored, const World& world, const TrialRecord
     if (!ffmpeg.write(film.frame(i).rgb)) break;
     tell(i + 1, count);
   }
-  if (ffmpeg.finish() != 0) refuse_file(file, "ffmpeg has failed: see above");
+  if (ffmpeg.finish() != 0) refuse_file(file, "ffmpeg failed: see above");
   std::cerr << "wrote " << file << '\n';
 }
 

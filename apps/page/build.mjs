@@ -77,7 +77,7 @@ function literal(name, value) {
     pieces.push(`R"${delimiter}(${value.slice(at, at + piece)})${delimiter}"`);
   return `const char ${name}[] =\n${pieces.join("\n")};\n`;
 }
-const source = `// Made by build.mjs of apps/page.
+const source = `// Written by build.mjs from src/: do not edit. scripts/bundle_page.sh writes it again.
 #include "page_program.hpp"
 
 #pragma GCC diagnostic ignored "-Woverlength-strings"
@@ -96,7 +96,7 @@ std::string_view text_of(const char (&text)[size]) {
 }  // namespace
 
 PageProgram page_program() {
-  return {.head = text_of(kHead), .body = text_of(kBody), .tail = text_of(kTail), .missing = {}};
+  return {.head = text_of(kHead), .body = text_of(kBody), .tail = text_of(kTail)};
 }
 
 }  // namespace avoidbench

@@ -4,7 +4,7 @@
 
 namespace avoidbench {
 
-/// The page that was built into this program, or why there is none.
+/// The page's program, as build.mjs bundled it.
 PageProgram page_program();
 
 }  // namespace avoidbench

@@ -1,7 +1,7 @@
-"""Metrics of one's own, in Python: avoidbench report --metrics-from example.py
+"""Custom metrics in Python: avoidbench report --metrics-from example.py
 
 Each public function is a metric: it takes a flight (described in scripts/custom_metrics.py) and returns a number, or
-None where the metric is not defined. The first line of its docstring says what it is."""
+None if the metric is not defined. The first line of its docstring describes it."""
 
 import numpy
 

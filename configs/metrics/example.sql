@@ -1,7 +1,7 @@
--- Metrics of one's own, by SQL: avoidbench report --metrics-from example.sql
--- A column named trial_key, and one for each metric. The views trial_table and plan_call_table and the tables of the schema
--- can be read. `-- NAME: description` says what a metric is; "less is better" or "more is better" in it lets the report mark
--- the best.
+-- Custom metrics in SQL: avoidbench report --metrics-from example.sql
+-- Return a column named trial_key and one for each metric. You can read the views trial_table and plan_call_table and the
+-- schema's tables. `-- NAME: description` describes a metric; with "less is better" or "more is better" in it, the report
+-- marks the best.
 -- detour_m: Way flown beyond the shortest, of finished trials [m]; less is better
 -- slowest_call_ms: Longest call of the planner, by the clock on the wall [ms]; less is better
 SELECT trial_key,

@@ -3,8 +3,8 @@
 World frame: ENU, z up, metres. Cameras: RDF (x right, y down, z forward). `T_a_b` takes b's coordinates to a's.
 `gymnasium.make` knows the environments of avoidbench.registration once this is imported.
 
-Where the package has no extension, as beside an installed program, or where the program has started a planner, only
-what planners need is imported: NumPy is enough."""
+If the package has no extension, as next to an installed program, or if the program has started a planner, only what
+planners need is imported: NumPy is enough."""
 
 import os
 from importlib import import_module

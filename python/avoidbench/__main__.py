@@ -7,7 +7,7 @@ from avoidbench._location import program_file
 
 
 def main() -> None:
-    """Becomes the program, with this process's arguments. Exits 2 where it is not there."""
+    """Becomes the program, with this process's arguments. Exits with code 2 if it is missing."""
     try:
         file = program_file()
     except FileNotFoundError as error:

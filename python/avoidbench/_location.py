@@ -1,4 +1,4 @@
-"""Where the program lies that belongs to this package."""
+"""Finds the program that belongs to this package."""
 
 import os
 import shutil
@@ -8,15 +8,15 @@ from avoidbench import _core
 
 
 def program_file() -> Path:
-    """The program `avoidbench` that this package uses. The first there is of: the file that the environment variable
-    AVOIDBENCH_PROGRAM names; that in the package, where it was installed with it; that of the build tree in which the
-    package lies; `avoidbench` on the PATH, unless that is this package's own.
+    """The program `avoidbench` that this package uses. The first that exists of: the file that the environment variable
+    AVOIDBENCH_PROGRAM names; the one in the package, if installed with it; the one of the build tree that contains the
+    package; `avoidbench` on the PATH, unless that is this package's own.
 
-    Raises FileNotFoundError where there is none, or AVOIDBENCH_PROGRAM names none."""
+    Raises FileNotFoundError if there is none, or AVOIDBENCH_PROGRAM does not name a program."""
     named = os.environ.get("AVOIDBENCH_PROGRAM")
     if named:
         if not _is_program(Path(named)):
-            raise FileNotFoundError(f"AVOIDBENCH_PROGRAM={named}: no program there that can be run")
+            raise FileNotFoundError(f"AVOIDBENCH_PROGRAM={named}: there is no executable program")
         return Path(named).absolute()
     package = Path(__file__).parent.absolute()  # not resolved: a build tree has this file by a link
     places = [package / "program" / "bin" / "avoidbench", package.parent.parent / "avoidbench"]

@@ -21,7 +21,7 @@ def _plain(value: Any, name: str) -> Any:
     if isinstance(value, Mapping):
         for key in value:
             if not isinstance(key, str):
-                raise TypeError(f"{name}: keys must be text, not {type(key).__name__} {key!r}")
+                raise TypeError(f"{name}: expected text as a key, got {type(key).__name__} {key!r}")
         return {plain_text(key, name): _plain(item, f"{name}.{key}") for key, item in value.items()}
     if isinstance(value, (list, tuple)):
         return [_plain(item, f"{name}[{i}]") for i, item in enumerate(value)]
@@ -31,11 +31,11 @@ def _plain(value: Any, name: str) -> Any:
         return plain_text(value, name)
     if value is None or isinstance(value, (bool, int, float)):
         return value
-    raise TypeError(f"{name}: a number, text, list or mapping is wanted, not {type(value).__name__}")
+    raise TypeError(f"{name}: expected a number, text, list or mapping, got {type(value).__name__}")
 
 
 def plain_text(text: str, name: str) -> str:
-    """`text`, if the program can read it. Raises ValueError where it has no UTF-8, or a byte 0."""
+    """`text`, if the program can read it. Raises ValueError if it is not valid UTF-8 or has a byte 0."""
     try:
         text.encode()
     except UnicodeEncodeError:
@@ -48,8 +48,8 @@ def plain_text(text: str, name: str) -> str:
 def yaml_text(value: Any, name: str) -> str:
     """`value` as YAML of one line. NumPy's numbers and arrays are taken as Python's, paths as text.
 
-    Raises TypeError for what YAML has no word for, ValueError for numbers that are not finite; `name` stands in the
-    message."""
+    Raises TypeError for values that YAML can't express, ValueError for numbers that are not finite; the message
+    contains `name`."""
     return json.dumps(_plain(value, name), ensure_ascii=False, allow_nan=False)
 
 
@@ -65,6 +65,6 @@ def overrides(fields: Mapping[str, Any], prefix: str = "") -> list[str]:
     Raises TypeError and ValueError as yaml_text."""
     for key in fields:
         if not isinstance(key, str) or not key or "=" in key:
-            raise ValueError(f"{key!r} is no name of a field")
+            raise ValueError(f"{key!r} is not the name of a field")
         plain_text(key, "name of a field")
     return [f"{prefix}{key}={yaml_text(value, key)}" for key, value in fields.items()]

@@ -1,4 +1,4 @@
-"""Results judged against a base, by `avoidbench compare`."""
+"""Results compared with a base by `avoidbench compare`."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ _EXIT_PASSED, _EXIT_FAILED = 0, 1
 
 @dataclass(frozen=True, repr=False)
 class Comparison:
-    """What `avoidbench compare BASE NEW` found. print() shows it as the program does.
+    """The result of `avoidbench compare BASE NEW`. print() shows it as the program does.
 
     Attributes:
         passed: no regression; with `exact` no difference; with `complete` no trial is missing.
         text: the comparison as a table for people.
-        data: all of it, as the program's JSON says it.
+        data: the complete result, as in the program's JSON.
     """
 
     passed: bool
@@ -39,7 +39,7 @@ class Comparison:
 
     @property
     def differences(self) -> pd.DataFrame:
-        """What differs, of an exact comparison: a row each. Empty for any other one."""
+        """The differences found by an exact comparison, a row each. Empty for any other comparison."""
         return report_frame(self.data.get("differences", []))
 
     def __repr__(self) -> str:

@@ -22,7 +22,7 @@ _SHOWN_KEY_DIGITS = 12
 
 
 class ResultsError(ValueError):
-    """A file that holds no results that can be read, or a sweep or trial that it does not have."""
+    """A file without readable results, or a sweep or trial that it does not have."""
 
 
 class SweepChoice(NamedTuple):
@@ -68,8 +68,8 @@ def _check_log(path: Path) -> None:
         header = file.read(20)
     if header[18:20] == b"\x01\x01" and log.exists():
         raise ResultsError(
-            f"{path}: beside it lies {log.name}, the log of another file of that name, from a run that was "
-            f"killed: move it away if {path.name} is the file that you mean"
+            f"{path}: next to it is {log.name}, the log of another file of that name, from a run that was "
+            f"killed: move it away if {path.name} is the file that you want"
         )
 
 
@@ -92,11 +92,11 @@ def _check_identity(connection: sqlite3.Connection, path: Path) -> None:
 
 @contextlib.contextmanager
 def opened(path: Path) -> Iterator[sqlite3.Connection]:
-    """The database, for reading only, as it is at one moment although a run may write to it.
+    """The database, for reading only, as a consistent snapshot even while a run writes to it.
 
     Raises:
         FileNotFoundError: there is no such file.
-        ResultsError: it is no database of avoidbench, of a newer one, or damaged.
+        ResultsError: it is not a database of avoidbench, is of a newer version, or is damaged.
     """
     if not path.exists():
         raise FileNotFoundError(f"{path}: no such file")
@@ -105,7 +105,7 @@ def opened(path: Path) -> Iterator[sqlite3.Connection]:
     if sqlite3.sqlite_version_info < _LEAST_SQLITE:
         raise ResultsError(
             f"this Python has SQLite {sqlite3.sqlite_version}, which can't read tables of avoidbench: "
-            "it takes 3.37 or newer"
+            "3.37 or newer is needed"
         )
     _check_log(path)
     connection: sqlite3.Connection | None = None
@@ -117,7 +117,7 @@ def opened(path: Path) -> Iterator[sqlite3.Connection]:
         yield connection
     except sqlite3.Error as error:
         if "not a database" in str(error):
-            raise ResultsError(f"{path}: not a database of avoidbench: it is no SQLite file") from error
+            raise ResultsError(f"{path}: not a database of avoidbench: it is not an SQLite file") from error
         raise ResultsError(f"{path}: can't be read: {error}") from error
     finally:
         if connection is not None:
@@ -143,7 +143,7 @@ def all_sweeps(connection: sqlite3.Connection) -> list[SweepChoice]:
 def chosen_sweeps(
     connection: sqlite3.Connection, path: Path, sweep: str | None, revision: int | None
 ) -> list[SweepChoice]:
-    """The revision that is meant; without a revision the latest, without a name of every sweep.
+    """The chosen revision; default: the latest, and without a name that of every sweep.
 
     Raises:
         ResultsError: there is none of this name or number.
@@ -163,8 +163,7 @@ def chosen_sweeps(
 
 
 def trial_key_of(connection: sqlite3.Connection, path: Path, trial: str | SupportsIndex) -> str:
-    """The key of the one trial that is meant: by the beginning of its key, or as a number by its
-    trial_id.
+    """The key of one trial, given by the beginning of its key, or as a number by its trial_id.
 
     Raises:
         ResultsError: there is none, or more than one.
@@ -176,7 +175,7 @@ def trial_key_of(connection: sqlite3.Connection, path: Path, trial: str | Suppor
         return str(found[0])
     if not re.fullmatch(f"[0-9a-f]{{{_LEAST_KEY_DIGITS},64}}", trial):
         raise ResultsError(
-            f"{trial!r} is no trial: a trial is named by the first {_LEAST_KEY_DIGITS} "
+            f"{trial!r} is not a trial: name it by the first {_LEAST_KEY_DIGITS} "
             "or more digits of its trial_key (a str), or by its trial_id (an int)"
         )
     keys = [

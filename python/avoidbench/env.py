@@ -1,5 +1,4 @@
-"""Environments of Gymnasium: flights that a learner steps. Episodes are trials of a sweep, judged by the same
-metrics."""
+"""Gymnasium environments: flights that a learner steps. Episodes are trials of a sweep, with the same metrics."""
 
 import difflib
 import math
@@ -34,31 +33,31 @@ _DTYPES: dict[str, Any] = {"stereo": np.uint8, "color": np.uint8, "pose": np.flo
 
 @dataclass(frozen=True)
 class Reward:
-    """What a step is worth: progress, less time, and what an end is worth."""
+    """The reward of a step: progress, less time, and a term for the end."""
 
     progress_per_m: float = 1.0
     """For each metre gained along the mission's shortest free path."""
     time_per_s: float = 0.1
     """Subtracted for each simulated second."""
     crash: float = 10.0
-    """Subtracted where the flight ends collided or out of the map."""
+    """Subtracted if the flight ends collided or out of the map."""
     goal: float = 10.0
-    """Added where the goal is reached."""
+    """Added if the goal is reached."""
 
 
 def _whole(value: SupportsIndex, name: str, lowest: int, highest: int) -> int:
     try:
         number = operator.index(value)
     except TypeError:
-        raise TypeError(f"{name}: a whole number is wanted, not {type(value).__name__}") from None
+        raise TypeError(f"{name}: expected a whole number, got {type(value).__name__}") from None
     if not lowest <= number <= highest:
-        raise ValueError(f"{name}: {number} is not in {lowest} … {highest}")
+        raise ValueError(f"{name}: expected {lowest} … {highest}, got {number}")
     return number
 
 
 def _real(value: Any, name: str) -> float:
     if isinstance(value, bool) or not isinstance(value, (int, float, np.integer, np.floating)):
-        raise TypeError(f"{name}: a number is wanted, not {type(value).__name__}")
+        raise TypeError(f"{name}: expected a number, got {type(value).__name__}")
     if not math.isfinite(value):
         raise ValueError(f"{name}: {value} is not finite")
     return float(value)
@@ -66,15 +65,15 @@ def _real(value: Any, name: str) -> float:
 
 def _observed(observe: Sequence[str]) -> tuple[str, ...]:
     if isinstance(observe, str):
-        raise TypeError(f"observe: a list of names is wanted, not the text {observe!r}")
+        raise TypeError(f"observe: expected a list of names, got the text {observe!r}")
     names = tuple(observe)
     for name in names:
         if name not in OBSERVATIONS:
             alike = difflib.get_close_matches(str(name), OBSERVATIONS, 1)
             hint = f" (did you mean {alike[0]}?)" if alike else ""
-            raise ValueError(f"observe: {name!r} is none of {', '.join(OBSERVATIONS)}{hint}")
+            raise ValueError(f"observe: {name!r} is not one of {', '.join(OBSERVATIONS)}{hint}")
     if not names or len(set(names)) != len(names):
-        raise ValueError("observe: at least one name is wanted, and each once")
+        raise ValueError("observe: expected at least one name, and each only once")
     return names
 
 
@@ -114,11 +113,11 @@ def _array(actions: ArrayLike, wanted: tuple[int, ...], name: str) -> NDArray[An
     try:
         array = np.asarray(actions)
     except ValueError as error:
-        raise ValueError(f"{name}: an array {wanted} is wanted: {error}") from None
+        raise ValueError(f"{name}: expected an array of shape {wanted}: {error}") from None
     if array.dtype.kind not in "fiu":
-        raise TypeError(f"{name}: real numbers are wanted, not {array.dtype}")
+        raise TypeError(f"{name}: expected real numbers, got {array.dtype}")
     if array.shape != wanted:
-        raise ValueError(f"{name}: an array {wanted} is wanted, not {array.shape}")
+        raise ValueError(f"{name}: expected an array of shape {wanted}, got {array.shape}")
     return array
 
 
@@ -152,9 +151,9 @@ class _Flights:
             ("policy", policy),
         ):
             if not isinstance(word, str):
-                raise TypeError(f"{name}: a word is wanted, not {type(word).__name__}")
+                raise TypeError(f"{name}: expected a word, got {type(word).__name__}")
         if reward is not None and not isinstance(reward, Reward) and not callable(reward):
-            raise TypeError(f"reward: a Reward, a function or None is wanted, not {type(reward).__name__}")
+            raise TypeError(f"reward: expected a Reward, a function or None, got {type(reward).__name__}")
         self.reward_function = reward if callable(reward) else None
         weights = reward if isinstance(reward, Reward) else Reward(0.0, 0.0, 0.0, 0.0) if reward is None else Reward()
         options = {
@@ -220,9 +219,11 @@ class _Flights:
                 self.reward_function(self.views, numbers, self.rewards.copy(), self.terminated, self.truncated)
             )
             if own.dtype.kind not in "fiub":
-                raise TypeError(f"reward: the function gave {own.dtype} where real numbers are wanted")
+                raise TypeError(f"reward: expected real numbers from the function, got {own.dtype}")
             if own.shape != (self.slots,):
-                raise ValueError(f"reward: the function gave an array {own.shape} where ({self.slots},) is wanted")
+                raise ValueError(
+                    f"reward: expected an array of shape ({self.slots},) from the function, got {own.shape}"
+                )
             if not np.isfinite(own).all():
                 raise ValueError(f"reward: the function gave {own[~np.isfinite(own)][0]}, which is not finite")
             self.rewards[:] = np.where(before, 0.0, own)  # the first observation of an episode has no reward
@@ -255,7 +256,7 @@ def _sweep_text(sweep: Sweep) -> tuple[str, str | None]:
         # Who flies is whoever steps; but a sweep names somebody.
         return "the sweep", yaml_text({"planners": ["straight_line"], **sweep}, "sweep")
     if not isinstance(sweep, (str, os.PathLike)):
-        raise TypeError(f"sweep: a file, a name or a dict is wanted, not {type(sweep).__name__}")
+        raise TypeError(f"sweep: expected a file, a name or a dict, got {type(sweep).__name__}")
     return plain_text(os.fspath(sweep), "sweep"), None
 
 
@@ -264,58 +265,55 @@ def _seed_of(seed: int | None) -> int | None:
 
 
 class AvoidbenchVectorEnv(gymnasium.vector.VectorEnv[Observation, NDArray[Any], NDArray[Any]]):
-    """N flights that are stepped together, by a pool of threads.
+    """N flights that a pool of threads steps together.
 
-    The same sweep, seed and actions give the same bytes, for any number of threads. Which trial comes next in a slot
-    follows from the seed, the slot and the number of the episode.
+    The same sweep, seed and actions give the same bytes, for any number of threads. The next trial of a slot
+    depends on the seed, the slot and the number of the episode.
 
     Args:
-        sweep: a sweep file, the name of a built-in sweep, or what a sweep file says as a dict (`planners` may be left
-        out). Its axes
-            and missions are the trials that episodes are drawn from.
+        sweep: a sweep file, the name of a built-in sweep, or a dict with the contents of a sweep file (`planners` may
+            be left out). Episodes are drawn from the trials of its axes and missions.
         num_envs: N.
-        threads: by default as many as there are processors.
+        threads: default: one per processor.
         set: changes to the sweep, as the program's `--set`: {"maps.poisson_radius_m": 4.5}.
-        observe: names of what is seen, of OBSERVATIONS; all is what the vehicle believes, in SI units:
+        observe: names of OBSERVATIONS to return; all use the vehicle's own state estimate, in SI units:
             depth (N, C, H, W) float32 of C cameras: see `depth`; state (N, 9) float32: velocity in the heading frame (x
             where the nose points, level; y left; z up), the world's up in the body frame, body rates; goal (N, 3)
             float32: from the vehicle to the goal in the heading frame; pose (N, 14) float64: time, position and
             velocity in the world frame, q_world_body (w, x, y, z), body rates; imu (N, K, 7) float32: time, rates,
             specific force of the samples since the last step, newest last, zeros before; stereo (N, C, 2, H, W) uint8,
-            grey, left and right; color (N, C, H, W, 3) uint8, RGB; points (N, L, S, 3) float32 of L lidars: what each
-            of the S shots of a sweep met, in the lidar's frame (x forward, y left, z up; that of the sweep's end where
-            it de-skews), metres, zeros where nothing came back or no sweep is there yet; ranges (N, L, S) float32: how
-            far off that is, see `depth`. Images and sweeps are the newest that came; at an episode's end they are of
-            its last moments.
-        depth: of depth and ranges. "metric": metres, the greatest range where nothing returns; "inverse": the least
-            range over that. In both 0 is where nothing is known: nearer than the least range, not matched by stereo, no
-            image or sweep yet. A shot of a lidar that nothing came back of has the greatest range, whatever the reason.
+            grey, left and right; color (N, C, H, W, 3) uint8, RGB; points (N, L, S, 3) float32 of L lidars: the point
+            that each of the S shots of a sweep met, in the lidar's frame (x forward, y left, z up; that of the sweep's
+            end if it de-skews), metres, zeros without a return or a sweep yet; ranges (N, L, S) float32: the distance
+            of that point, see `depth`. Images and sweeps are the newest ones; at an episode's end they are from its
+            last moments.
+        depth: of depth and ranges. "metric": metres, the greatest range if nothing returns; "inverse": the least
+            range over that. In both, 0 means unknown: nearer than the least range, not matched by stereo, no image or
+            sweep yet. A lidar's shot without a return has the greatest range, for whatever reason.
         action: "velocity" (vx, vy, vz, yaw rate), "acceleration" (ax, ay, az, yaw rate), "rates_thrust" (body rates,
-        thrust over mass:
-            9.81 hovers), or "trajectory" (for each of `trajectory_points` x, y, z and yaw, from where the vehicle is
-            and looks now, evenly spaced over `trajectory_horizon_s`). They take effect after the sweep's latency.
+            thrust over mass: 9.81 hovers), or "trajectory" (for each of `trajectory_points` x, y, z and yaw, from the
+            vehicle's present place and heading, evenly spaced over `trajectory_horizon_s`). They take effect after the
+            sweep's latency.
         frame: of velocities, accelerations and trajectories: "heading" or "world".
         reward: a Reward; a function of (observation, actions, default reward, terminated, truncated), arrays over N,
-        that gives (N,);
-            or None for zeros. What the function gives must be finite; where it raises, the step was flown all the same.
+            that returns (N,); or None for zeros. It must return finite values; if it raises, the step has been flown
+            nevertheless.
         order: "random", or "in_turn": slot s flies the trials s, s + N, … of the sweep, then begins again: see
-        `rounds`. Missions that
-            can't be flown are passed over.
+            `rounds`. Missions that can't be flown are skipped.
         seed: of the first reset() without a seed.
         autoreset_mode: Gymnasium's. NEXT_STEP: the step after an end begins the next episode, without a reward.
-        SAME_STEP: an end gives
-            the first observation of the next episode, the last one is in infos["final_obs"]. DISABLED:
-            reset(options={"reset_mask": …}).
-        copy: whether each call gives arrays of its own, or the same ones, which the next call overwrites.
-        kept_maps: maps in memory beside those that fly.
+            SAME_STEP: an end gives the first observation of the next episode, the last one is in infos["final_obs"].
+            DISABLED: reset(options={"reset_mask": …}).
+        copy: whether each call returns new arrays, or the same ones, which the next call overwrites.
+        kept_maps: maps kept in memory in addition to those in use.
         policy: the planner's label in trial keys.
 
     infos of an episode's end (with Gymnasium's masks, "_outcome" and so on): outcome, reason, trial_key, map_seed,
     mission_index, episode_index, round (see `rounds`), end_time_s, steps, reward_sum (of what reward gave), and in
-    "metrics" each metric of `avoidbench metrics`, NaN where it is of no meaning.
+    "metrics" each metric of `avoidbench metrics`, NaN where it is undefined.
 
-    Raises InputError, a ValueError, with file, line and column for what is wrong in a sweep; TypeError and ValueError
-    for the rest."""
+    Raises InputError, a ValueError, with file, line and column for errors in a sweep; TypeError and ValueError
+    otherwise."""
 
     def __init__(
         self,
@@ -340,7 +338,7 @@ class AvoidbenchVectorEnv(gymnasium.vector.VectorEnv[Observation, NDArray[Any], 
         render_mode: str | None = None,
     ) -> None:
         if render_mode is not None:
-            raise ValueError("render_mode: a vector of flights is not drawn; AvoidbenchEnv is")
+            raise ValueError("render_mode: only AvoidbenchEnv draws, not a vector of flights")
         self.num_envs = _whole(num_envs, "num_envs", 1, 65536)
         self.autoreset_mode = AutoresetMode(autoreset_mode)
         self.copy = copy
@@ -369,7 +367,7 @@ class AvoidbenchVectorEnv(gymnasium.vector.VectorEnv[Observation, NDArray[Any], 
         self.step_s = self._flights.step_s
         """Simulated seconds between two observations."""
         self.trial_count = self._flights.trial_count
-        """Trials of the sweep."""
+        """Number of trials of the sweep."""
 
     def _open(self) -> _Flights:
         if self._flights is None:
@@ -392,22 +390,22 @@ class AvoidbenchVectorEnv(gymnasium.vector.VectorEnv[Observation, NDArray[Any], 
     ) -> tuple[Observation, dict[str, Any]]:
         """Begins an episode in each slot, or in those of options["reset_mask"], (N,) bool.
 
-        seed: the trials begin anew, as this seed chooses them; a whole number, for all slots."""
+        seed: the trials begin again, as this seed chooses them; a whole number, for all slots."""
         flights = self._open()
         if isinstance(seed, list):
-            raise TypeError("seed: one number for all slots is wanted; it gives each slot trials of its own")
+            raise TypeError("seed: expected one number for all slots, which gives each slot its own trials")
         mask: NDArray[np.bool_] | None = None
         for name in options or {}:
             if name != "reset_mask":
-                raise ValueError(f"options: {name!r} is no option; there is 'reset_mask'")
+                raise ValueError(f"options: {name!r} is not an option; there is only 'reset_mask'")
         if options and options["reset_mask"] is not None:
             array = np.asarray(options["reset_mask"])
             if array.shape != (self.num_envs,) or array.dtype != np.bool_:
                 raise ValueError(
-                    f"options['reset_mask']: bool ({self.num_envs},) is wanted, not {array.dtype} {array.shape}"
+                    f"options['reset_mask']: expected bool of shape ({self.num_envs},), got {array.dtype} {array.shape}"
                 )
             if not array.any():
-                raise ValueError("options['reset_mask']: at least one slot is wanted")
+                raise ValueError("options['reset_mask']: expected at least one slot")
             mask = array
         flights.reset(_seed_of(seed), mask)
         return self._seen(), {}
@@ -442,7 +440,7 @@ class AvoidbenchVectorEnv(gymnasium.vector.VectorEnv[Observation, NDArray[Any], 
 
 
 class AvoidbenchEnv(gymnasium.Env[Observation, NDArray[Any]]):
-    """One flight that is stepped; after an end comes reset(). See AvoidbenchVectorEnv, whose arguments and infos it
+    """One flight that is stepped; call reset() after an end. See AvoidbenchVectorEnv, whose arguments and infos it
     has; its arrays have no axis N. With render_mode="rgb_array" render() gives the depth as a grey picture
     (H, W, 3) uint8, near is bright; or, where no depth is observed, the first lidar's sweep from above, (200, 200, 3),
     10 pixels a metre, forward is up."""
@@ -468,9 +466,9 @@ class AvoidbenchEnv(gymnasium.Env[Observation, NDArray[Any]]):
         render_mode: str | None = None,
     ) -> None:
         if render_mode not in (None, "rgb_array"):
-            raise ValueError(f"render_mode: 'rgb_array' or None is wanted, not {render_mode!r}")
+            raise ValueError(f"render_mode: expected 'rgb_array' or None, got {render_mode!r}")
         if render_mode is not None and not {"depth", "points", "ranges"} & {*_observed(observe)}:
-            raise ValueError("render_mode: pictures are of the depth, points or ranges, and none is observed")
+            raise ValueError("render_mode: pictures show depth, points or ranges, and none of these is observed")
         self.render_mode = render_mode
         self._depth = depth
         self._flights: _Flights | None = _Flights(
@@ -495,7 +493,7 @@ class AvoidbenchEnv(gymnasium.Env[Observation, NDArray[Any]]):
         self.step_s = self._flights.step_s
         """Simulated seconds between two observations."""
         self.trial_count = self._flights.trial_count
-        """Trials of the sweep."""
+        """Number of trials of the sweep."""
         self.metadata = {**self.metadata, "render_fps": round(1.0 / self.step_s)}
 
     def _open(self) -> _Flights:
@@ -513,7 +511,7 @@ class AvoidbenchEnv(gymnasium.Env[Observation, NDArray[Any]]):
         seed = _seed_of(seed)
         super().reset(seed=seed)
         if options:
-            raise ValueError(f"options: {next(iter(options))!r} is no option; there are none")
+            raise ValueError(f"options: {next(iter(options))!r} is not an option; there are none")
         self._open().reset(seed, None)
         return self._seen(), {}
 

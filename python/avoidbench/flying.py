@@ -1,4 +1,4 @@
-"""Flies a class of avoidbench.Planner over a sweep, by the program."""
+"""Flies a class of avoidbench.Planner over a sweep, using the program."""
 
 import contextlib
 import hashlib
@@ -33,7 +33,7 @@ def _copy_of_cell(place: str, planner: type[Planner]) -> Path:
     source = "".join(linecache.getlines(place))
     if not source:
         raise ValueError(
-            f"{planner.__name__}: its source can't be found, and the program starts it from a file: write it in one"
+            f"{planner.__name__}: its source can't be found, and the program starts it from a file: define it in a file"
         )
     folder = Path(tempfile.gettempdir()) / f"avoidbench-{os.getuid()}" / hashlib.sha256(source.encode()).hexdigest()
     folder.mkdir(parents=True, exist_ok=True)
@@ -79,20 +79,20 @@ def fly(
     it, which is then part of its trials' keys.
 
     Args:
-        sweep: a sweep file, the name of a built-in sweep ("quick"), or a dict that says what a file would.
+        sweep: a sweep file, the name of a built-in sweep ("quick"), or a dict with the contents of a file.
         planner: a subclass of Planner. The digests of its file, of the modules that this imports from its folder and of
             the planner's `files` are part of its trials' keys; what else it reads is not, so change `version` with it.
         parameters: values of the planner's parameters.
-        label: its name in reports; else its own.
-        camera: of a sensor with several cameras the one that it sees, by its index; else each. A planner of one_camera
-            needs it there.
-        filter: what its commands pass through, as a sweep says it: "stopping_distance", a file, or a dict of plugin and
-            parameters.
+        label: its name in reports (default: its own).
+        camera: index of the one camera that it sees, if the sensor has several (default: all). A planner with
+            one_camera then needs it.
+        filter: the filter that its commands pass through, as in a sweep: "stopping_distance", a file, or a dict of
+            plugin and parameters.
         set, database, progress: as run() has them.
-        options: others of run(), such as jobs, plan_timeout_s and sandbox.
+        options: further arguments of run(), such as jobs, plan_timeout_s and sandbox.
 
-    Raises InputError for what is wrong in a sweep, with file, line and column, or with the planner's declarations;
-    ProgramError where the program failed otherwise; KeyboardInterrupt after an interrupt."""
+    Raises InputError for errors in a sweep, with file, line and column, or in the planner's declarations;
+    ProgramError if the program failed otherwise; KeyboardInterrupt after an interrupt."""
     if AB_PROCESS_VARIABLE in os.environ:
         raise RuntimeError(
             "fly() was called while the program imports its planner's file: call it under if __name__ == '__main__'"

@@ -1,9 +1,9 @@
-"""Planners written in Python: the same interface as that of planner libraries, in Python's terms.
+"""Planners written in Python: the same interface as for planner libraries, in Python's terms.
 
 Units are SI, angles radians. World frame: ENU, z up. Body frame: FLU, x forward. Camera frame: RDF, z forward. A
-quaternion q_a_b is (w, x, y, z) and takes coordinates in b to coordinates in a. Randomness only from Mission.seed, time
-only from the observation: after reset() equal inputs give equal outputs. Elementary functions with the same bits on
-every machine are in avoidbench.portable_math."""
+quaternion q_a_b is (w, x, y, z) and takes coordinates in b to coordinates in a. Use randomness only
+from Mission.seed and time only from the observation: after reset(), equal inputs must give equal outputs. Elementary
+functions with the same bits on every machine are in avoidbench.portable_math."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -19,7 +19,7 @@ Vector = NDArray[np.float64]
 class Parameter:
     """One parameter of a planner, declared so that a typo in a sweep is found before the first trial.
 
-    preset: a number in [lowest, highest] (whole if it is an int), or a text: one of `choices`, where there are any."""
+    preset: a number in [lowest, highest] (whole if it is an int), or a text (one of `choices`, if there are any)."""
 
     name: str
     """With its unit, as in sweep files: "cruise_speed_mps"."""
@@ -33,7 +33,7 @@ class Parameter:
 
 @dataclass(frozen=True)
 class Camera:
-    """A pinhole camera without distortion; of a stereo camera the left eye."""
+    """A pinhole camera without distortion; for a stereo camera, the left eye."""
 
     width_px: int
     height_px: int
@@ -64,7 +64,7 @@ class Lidar:
     lowest_elevation_rad: float
     highest_elevation_rad: float
     shots: int
-    """Of a sweep, those that come back with nothing included."""
+    """Per sweep, including those without a return."""
 
 
 @dataclass(frozen=True)
@@ -83,7 +83,7 @@ class Setup:
     gravity_mps2: float
     cameras: tuple[Camera, ...]
     lidars: tuple[Lidar, ...] = ()
-    """Of who declares points."""
+    """Only for planners that declare points."""
 
 
 @dataclass(frozen=True)
@@ -101,15 +101,15 @@ class Mission:
     highest_world_m: Vector
     """The map's box, from ground to ceiling: the trial ends where the vehicle's centre leaves it."""
     command_latency_s: float
-    """From a call to when its command acts; NaN where that is measured: as long as the call takes."""
+    """From a call to when its command acts; NaN if it is measured: as long as the call takes."""
     goals_world_m: Vector
     """(N, 3): all goals, to be reached in this order, the first one goal_world_m; the trial ends at the last."""
 
 
 @dataclass(frozen=True)
 class DepthImage:
-    """Depth along camera z; +inf: no return, NaN: invalid. The pixels are the program's: read them in the call, copy
-    what is kept."""
+    """Depth along camera z; +inf: no return, NaN: invalid. The program owns the pixels: read them in the call, and copy
+    what you keep."""
 
     time_s: float
     depth_m: NDArray[np.float32]
@@ -122,7 +122,7 @@ class DepthImage:
 
 @dataclass(frozen=True)
 class Picture:
-    """An 8-bit picture, sRGB encoded. The pixels are the program's: read them in the call, copy what is kept."""
+    """An 8-bit picture, sRGB encoded. The program owns the pixels: read them in the call, and copy what you keep."""
 
     time_s: float
     pixels: NDArray[np.uint8]
@@ -143,7 +143,7 @@ class StereoPair:
 
 @dataclass(frozen=True)
 class Cloud:
-    """A sweep of a lidar. The arrays are the program's: read them in the call, copy what is kept."""
+    """A sweep of a lidar. The program owns the arrays: read them in the call, and copy what you keep."""
 
     time_s: float
     """Of the sweep's end."""
@@ -154,7 +154,7 @@ class Cloud:
     intensities: NDArray[np.float32]
     """(N,), reflectance times the cosine of incidence, 0 to 1."""
     misses_lidar: NDArray[np.float32]
-    """(M, 3): unit directions of shots that came back with nothing."""
+    """(M, 3): unit directions of shots without a return."""
     position_world_m: Vector
     """Of the lidar, at that time."""
     q_world_lidar: Vector
@@ -176,10 +176,10 @@ class ImuSamples:
 
 @dataclass(frozen=True)
 class State:
-    """As the odometry says it."""
+    """As the odometry estimates it."""
 
     time_s: float
-    """Since the start of the trial; of the past where the odometry has a delay."""
+    """Since the start of the trial; in the past if the odometry has a delay."""
     position_world_m: Vector
     velocity_world_mps: Vector
     q_world_body: Vector
@@ -188,7 +188,7 @@ class State:
 
 @dataclass(frozen=True)
 class Reference:
-    """Where the vehicle is told to be at this call: where a smooth trajectory begins."""
+    """Where the vehicle is commanded to be at this call: the start of a smooth trajectory."""
 
     time_s: float
     position_world_m: Vector
@@ -204,7 +204,7 @@ class Track:
     """Something that moves, at the time of a scan."""
 
     id: int
-    """The same thing has the same in all observations of a trial."""
+    """An object keeps its id in all observations of a trial."""
     kind: str
     """person, box, ball, pole or other"""
     time_s: float
@@ -214,20 +214,20 @@ class Track:
     """Of its box in its own frame, z up."""
 
     def center_at(self, time_s: float) -> Vector:
-        """(3,), world, metres: its middle at this time of the trial, as if it had gone on with the scan's velocity."""
+        """(3,), world, metres: its middle at this time of the trial, if it keeps the scan's velocity."""
         return self.center_world_m + (time_s - self.time_s) * self.velocity_world_mps
 
     @property
     def radius_m(self) -> float:
-        """Of the upright cylinder around its box, whatever its heading, which a track does not tell: half of the longer
-        side of what is round (person, ball, pole), half of the diagonal of the rest."""
+        """Radius of the upright cylinder around its box for any heading, since a track has none: half of the longer
+        side for round objects (person, ball, pole), half of the diagonal for others."""
         half = 0.5 * self.size_m[:2]
         return float(half.max() if self.kind in ("person", "ball", "pole") else np.hypot(*half))
 
     def distance_m(self, places_world_m: ArrayLike, time_s: float) -> NDArray[np.float64]:
         """(…,), metres: how far places (…, 3) in the world are from its surface at this time of the trial; negative
-        inside. The surface is a ball's, or else that of an upright cylinder of radius_m, so that the distance to the
-        thing itself is never less, as long as it keeps its velocity."""
+        inside. The surface is a ball's, or else that of an upright cylinder of radius_m, so the distance to the
+        object itself is never less, as long as it keeps its velocity."""
         away = np.asarray(places_world_m, dtype=np.float64) - self.center_at(time_s)
         if self.kind == "ball":
             return np.asarray(np.linalg.norm(away, axis=-1) - self.radius_m)
@@ -247,44 +247,44 @@ class Observation(State):
     color: tuple[Picture, ...] = ()
     imu: ImuSamples | None = None
     call_time_s: float = float("nan")
-    """Of this call; time_s is older where the odometry has a delay."""
+    """Of this call; time_s is older if the odometry has a delay."""
     states: tuple[State, ...] = ()
     reference: Reference | None = None
-    """Where the commands so far tell the vehicle to be, of who declares it; None while rates are commanded."""
+    """Where the vehicle is commanded to be, for planners that declare it; None while rates are commanded."""
     clouds: tuple[Cloud, ...] = ()
     """Sweeps of lidars, newest first."""
     goal_index: int = 0
     """Of the goal to reach now, in Mission.goals_world_m."""
     goal_world_m: Vector | None = None
-    """Where it is at this call, of who declares "goals"."""
+    """Where it is at this call, for planners that declare "goals"."""
     tracks: tuple[Track, ...] = ()
-    """What moves around the vehicle, by the newest scan, of who declares it."""
+    """Moving objects around the vehicle in the newest scan, for planners that declare it."""
     wanted: "Command | None" = None
-    """The command of the planner below, of a filter, which declares "command"; None where it has no plan. A filter
-    returns it to let it pass."""
+    """For a filter, which declares "command": the command of the planner below; None if it has no plan. To let it pass,
+    a filter returns it."""
 
     def newest_depth(self, camera: int) -> DepthImage | None:
-        """The newest depth image of this camera (index into Setup.cameras) since the last call, or None: none is
-        new."""
+        """The newest depth image of this camera (index into Setup.cameras) since the last call, or None if there
+        is no new one."""
         return next((image for image in self.depth if image.camera == camera), None)
 
     def newest_stereo(self, camera: int) -> StereoPair | None:
-        """As newest_depth(), of stereo pairs."""
+        """As newest_depth(), for stereo pairs."""
         return next((pair for pair in self.stereo if pair.left.camera == camera), None)
 
     def newest_color(self, camera: int) -> Picture | None:
-        """As newest_depth(), of colour pictures."""
+        """As newest_depth(), for colour pictures."""
         return next((picture for picture in self.color if picture.camera == camera), None)
 
     def newest_cloud(self, lidar: int) -> Cloud | None:
-        """As newest_depth(), of the sweeps of this lidar (index into Setup.lidars)."""
+        """As newest_depth(), for the sweeps of this lidar (index into Setup.lidars)."""
         return next((cloud for cloud in self.clouds if cloud.lidar == lidar), None)
 
 
 @dataclass(frozen=True, kw_only=True)
 class _Held:
     horizon_s: float = 0.0
-    """How long the command is believed to be safe; after it the vehicle brakes; 0: for ever."""
+    """How long the planner considers the command safe; then the vehicle brakes; 0: forever."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -335,12 +335,12 @@ Command = Position | Velocity | Acceleration | Rates | Trajectory
 
 
 class GiveUp(Exception):
-    """Raised in plan(): the goal can't be reached. The trial ends with planner_gave_up and this text."""
+    """Raise it in plan() if the goal can't be reached. The trial ends with planner_gave_up and this text."""
 
 
 class Planner:
-    """A planner: subclass it, say what it sees and gives, and write plan(). Any other exception than GiveUp ends the
-    trial with planner_error and its text. A sweep flies it as `plugin: ./its_file.py`, in a process of its own
+    """A planner: subclass it, declare its inputs and commands, and write plan(). Any exception except GiveUp ends the
+    trial with planner_error and its text. A sweep flies it as `plugin: ./its_file.py`, in its own process
     (avoidbench.serving); avoidbench.fly() does that from Python."""
 
     name: ClassVar[str]
@@ -349,21 +349,21 @@ class Planner:
     summary: ClassVar[str] = ""
     """One line."""
     inputs: ClassVar[Sequence[str]] = ("state",)
-    """Of state, depth, stereo, color, imu, states, reference, points, tracks, goals (the goal to reach now: without it
-    missions of several goals are refused); with one_camera of a rig one camera alone, which a sweep names
-    (`camera: 0`); with command it is a filter, which a sweep names beside a planner (`filter: ./its_file.py`)."""
+    """From state, depth, stereo, color, imu, states, reference, points, tracks, goals (the goal to reach now; without
+    it, missions of several goals are refused). one_camera: only one camera of a rig, which a sweep names (`camera: 0`).
+    command: it is a filter, which a sweep names together with a planner (`filter: ./its_file.py`)."""
     commands: ClassVar[Sequence[str]] = ("velocity",)
-    """Of position, velocity, acceleration, trajectory, rates: what plan() may return, and a filter takes."""
+    """From position, velocity, acceleration, trajectory, rates: what plan() may return, and what a filter accepts."""
     uses: ClassVar[Sequence[str]] = ()
-    """Of processes, devices, network, globals: what it does beside computing and reading files (AB_USES_… of
+    """From processes, devices, network, globals: what it does apart from computing and reading files (AB_USES_… of
     planner.h)."""
     parameters: ClassVar[Sequence[Parameter]] = ()
     least_fov_rad: ClassVar[tuple[float, float]] = (0.0, 0.0)
     """View across and down that each of its cameras must have; a sweep with a narrower one is refused before its first
     trial."""
     files: ClassVar[Sequence[str]] = ()
-    """Further files that decide what it does, as weights, relative to the folder of its own: trials of other contents
-    are other trials. The modules that its file imports from that folder count by themselves."""
+    """Further files that decide what it does, such as weights, relative to the folder of its own file: other contents
+    make other trials. Modules that its file imports from that folder count automatically."""
 
     def __init__(self, setup: Setup) -> None:
         self.setup = setup
@@ -372,5 +372,5 @@ class Planner:
         """Begins a trial: forget all earlier ones."""
 
     def plan(self, observation: Observation) -> Command | None:
-        """One command for what is seen now; None: no plan, the vehicle brakes and hovers, and is asked again."""
+        """One command for what is seen now; None: no plan; the vehicle brakes and hovers until the next call."""
         raise NotImplementedError

@@ -1,5 +1,5 @@
-"""Elementary functions with the same bits on every machine: for planners whose flights are to repeat elsewhere.
-Python's `math` asks the machine's C library, whose last bits differ. `math.sqrt` and the four operations are the same
+"""Elementary functions with the same bits on every machine, for planners whose flights must repeat elsewhere.
+Python's `math` uses the machine's C library, whose last bits differ. `math.sqrt` and the four operations are the same
 everywhere."""
 
 import ctypes

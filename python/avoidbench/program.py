@@ -17,16 +17,16 @@ WARNING_MARK = "warning: "
 
 
 class ProgramError(RuntimeError):
-    """The avoidbench program was not found, refused what it was given, or failed.
+    """The avoidbench program was not found, refused its input, or failed.
 
-    str() is the program's own message; what is wrong in a file has its place: FILE:LINE:COLUMN,
-    and what is wrong in a dict its key.
+    str() is the program's own message; an error in a file has its place, FILE:LINE:COLUMN,
+    and an error in a dict its key.
 
     Attributes:
         command: the program and its arguments; empty where there is no program.
         exit_code: of the program: 2 for wrong input, negative for the signal that ended it; None
-            where it was not started.
-        stderr: all that the program said, warnings included.
+            if it was not started.
+        stderr: everything that the program printed there, including warnings.
     """
 
     def __init__(
@@ -90,7 +90,7 @@ def error_of(command: Sequence[str], exit_code: int, stderr: str) -> ProgramErro
             name = f"signal {-exit_code}"
         lines.append(f"{what} was ended by {name}")
     if not lines:
-        lines = [f"{what} ended with exit code {exit_code} and said nothing"]
+        lines = [f"{what} ended with exit code {exit_code} and printed no message"]
     return ProgramError("\n".join(lines), command, exit_code, stderr)
 
 

@@ -29,7 +29,7 @@ FOREST_LIDAR: dict[str, Any] = {
     "sweep": "env_forest_lidar",
     "sensor": {"name": "lidar_16x90", "kind": "none", "lidars": [{"preset": "velodyne_16", "columns": 90}]},
 }
-"""The same forests by a lidar alone: 90 directions around, 16 beams above one another in each, 10 Hz."""
+"""The same forests with only a lidar: 90 directions around, 16 beams above one another in each, 10 Hz."""
 
 IDS = ("avoidbench/Forest-v0", "avoidbench/Hall-v0", "avoidbench/ForestLidar-v0", "avoidbench/Sweep-v0")
 

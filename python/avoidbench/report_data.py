@@ -43,7 +43,7 @@ def _with_infinities(sweeps: list[dict[str, Any]], cells: list[dict[str, str]]) 
 
 
 def read_report(arguments: Sequence[str], warns: bool = True) -> list[dict[str, Any]]:
-    """What `avoidbench report --format json` says, with infinities: for each sweep "sweep", "title", "warnings"
+    """The output of `avoidbench report --format json`, with infinities: for each sweep "sweep", "title", "warnings"
     and "tables", by name lists of rows.
 
     Args:
@@ -61,4 +61,4 @@ def read_report(arguments: Sequence[str], warns: bool = True) -> list[dict[str, 
         has_infinity = any(cell["value"] in _INFINITIES for cell in cells)
         if not has_infinity or _with_infinities(sweeps, cells):
             return sweeps
-    raise ResultsError("the results change while they are read: try again when fewer trials are stored at a time")
+    raise ResultsError("the results change while they are read: try again when fewer trials are being stored")

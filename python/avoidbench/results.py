@@ -47,12 +47,12 @@ def _counted(count: int, word: str) -> str:
 class Results:
     """The results in one database of `avoidbench run`.
 
-    Everything is read when it is asked for, so that a run that goes on is seen. The file is never
-    written to. Units are in the names of columns; the world frame is ENU, z up, in metres. What is
-    not defined is NaN, such as a metric of finished flights where the flight failed.
+    Everything is read on access, so that results of a running sweep appear. The file is never
+    written to. Column names include units; the world frame is ENU, z up, in metres. Undefined
+    values are NaN, such as a metric of finished flights for a flight that failed.
 
     A file may hold several sweeps, and revisions of a sweep whose file was changed. `sweep()`
-    chooses; without a choice the latest revision of every sweep is meant.
+    chooses one; the default is the latest revision of every sweep.
     """
 
     def __init__(self, path: str | os.PathLike[str], sweep: str | None = None, revision: int | None = None) -> None:
@@ -78,7 +78,7 @@ class Results:
         return self._sweep if self._revision is None else f"{self._sweep}@{self._revision}"
 
     def sweep(self, name: str, revision: int | None = None) -> Results:
-        """The results of one sweep, of this revision; without one of the latest there is.
+        """The results of one sweep, in this revision (default: the latest).
 
         Raises:
             ResultsError: there is no such sweep or revision.
@@ -96,12 +96,11 @@ class Results:
 
         Sweep, planner (its label), map, mission with start and goal, outcome and reason, all metrics
         (`metrics` explains them), versions, trial_id (of this file) and trial_key, and a column for
-        each thing that the sweep varies, by its path: "map.poisson_radius_m", "planner.horizon_m". Lists are
-        their text.
-        Empty where no trial has finished yet.
+        each field that the sweep varies, by its path: "map.poisson_radius_m", "planner.horizon_m". Lists are
+        given as text. Empty if no trial has finished yet.
 
         Raises:
-            ProgramError: the program found the file damaged, or is not there.
+            ProgramError: the program found the file damaged, or is missing.
         """
         state = state_of(self._path)
         if self._known_trials is None or self._known_trials[0] != state:
@@ -156,9 +155,9 @@ class Results:
             everything: every table and warning, and what each column means.
             only: names of the tables to show.
             metrics: names of the metrics to show.
-            metrics_from: files with metrics of one's own, FILE.sql or FILE.py.
+            metrics_from: files with custom metrics, FILE.sql or FILE.py.
             group_by: columns to group trials by, such as "map.poisson_radius_m".
-            where: conditions that all have to hold, such as "planner = ego, reactive".
+            where: conditions that must all hold, such as "planner = ego, reactive".
 
         Raises:
             ProgramError: no trial has finished, or an argument is wrong.
@@ -178,7 +177,7 @@ class Results:
         where: Sequence[str] | str = (),
     ) -> pd.DataFrame:
         """One table of the report, with the program's numbers: rates and means with the ends of their
-        intervals (success_rate, success_rate_lower, success_rate_upper, …). A row is of one `sweep`.
+        intervals (success_rate, success_rate_lower, success_rate_upper, …). Each row belongs to one `sweep`.
 
         Args:
             name: speed, speed_curve, planners, groups, outcomes, pairs, difficulty, flight_time, flight_time_curve,
@@ -211,19 +210,19 @@ class Results:
         tolerances: str | os.PathLike[str] | None = None,
         gate_measured: bool = False,
     ) -> Comparison:
-        """Judges new results against these, which are the base: what got worse, and surely so.
+        """Compares new results with these, the base, and reports significant regressions.
 
         Args:
             new: results, a database, or a table of trials that `compare --bless` wrote.
-            exact: no statistics: outcomes and deterministic metrics have to be equal to the last bit,
+            exact: no statistics: outcomes and deterministic metrics must be equal to the last bit,
                 and no trial may be missing.
             complete: missing trials fail the comparison too.
             planner: only this planner, by its label, or BASE:NEW.
-            metrics: beside the success rate, or "all".
+            metrics: in addition to the success rate, or "all".
             alpha: chance of any false alarm in the comparison (0.01).
-            min_effect: least change that matters, "5%" or a share of the base's mean (0.05).
-            tolerances: YAML file with the same by metric.
-            gate_measured: metrics from the host's clock can fail the comparison too.
+            min_effect: smallest change that matters, "5%" or a share of the base's mean (0.05).
+            tolerances: YAML file with the smallest change by metric.
+            gate_measured: metrics measured with the host's clock can fail the comparison too.
 
         Raises:
             ProgramError: there is nothing to compare, or an argument is wrong.
@@ -265,22 +264,22 @@ class Results:
 
     @property
     def maps(self) -> pd.DataFrame:
-        """The maps of the chosen sweeps, a row each, with what was measured of them (m and 1/m²) and what the
-        sweeps vary of them, by its path."""
+        """The maps of the chosen sweeps, a row each, with their measures (m and 1/m²) and the fields that the
+        sweeps vary, by path."""
         with opened(self._path) as connection:
             return tables.read_maps(connection, self._choices(connection))
 
     @property
     def missions(self) -> pd.DataFrame:
         """The missions of the chosen sweeps, a row each: start and goal in the world frame, length of
-        the shortest way, whether it can be flown (is_valid, invalid_reason)."""
+        the shortest path, whether it can be flown (is_valid, invalid_reason)."""
         with opened(self._path) as connection:
             return tables.read_missions(connection, self._choices(connection))
 
     @property
     def metrics(self) -> pd.DataFrame:
         """The metrics of trials that the file holds: name, unit, better (less, more, neither),
-        population (all or finished trials), version, is_measured (by the host's clock), doc, formula,
+        population (all or finished trials), version, is_measured (with the host's clock), doc, formula,
         source."""
         with opened(self._path) as connection:
             return tables.read_metrics(connection)
@@ -298,7 +297,7 @@ class Results:
         (ENU, z up); qw … qz turns coordinates of the body (forward, left, up) into those of the world,
         yaw_rad is their heading; rate_…_body_radps are body rates; reference_… is the commanded position
         in the world frame (NaN: none); rotor_power_w; clearance_m from the body's box to the nearest
-        surface. No rows where the planner crashed before it flew.
+        surface. No rows if the planner crashed before it flew.
 
         Args:
             trial: its trial_key or the beginning of it (a str), or its trial_id (an int).
@@ -311,15 +310,15 @@ class Results:
     def calls(self, trial: str | SupportsIndex) -> pd.DataFrame:
         """The planner's calls in a trial: call_index, simulated time_s, status (command, no_plan, gave_up,
         error), command_kind (None: no command), cpu_time_s and wall_time_s as the host measured them, and
-        latency_s after which the command acted where that was measured (NaN: as the sweep says).
+        latency_s after which the command acted, if that was measured (NaN: as the sweep says).
 
         Arguments and errors are those of trajectory().
         """
         return self._read_flight(trial, stored_flight.read_calls)
 
     def events(self, trial: str | SupportsIndex) -> pd.DataFrame:
-        """The touches with surfaces in a trial: event_index, kind (collision), simulated time_s, speed_mps,
-        obstacle_index (-1: ground, walls and what is no obstacle) and obstacle_kind.
+        """The contacts with surfaces in a trial: event_index, kind (collision), simulated time_s, speed_mps,
+        obstacle_index (-1: ground, walls and others that are not obstacles) and obstacle_kind.
 
         Arguments and errors are those of trajectory().
         """
@@ -358,10 +357,10 @@ class Results:
 
 
 def read(path: str | os.PathLike[str]) -> Results:
-    """The results in a database of `avoidbench run`, results/quick.db say. Nothing is written to it.
+    """The results in a database of `avoidbench run`, such as results/quick.db. Nothing is written to it.
 
     Raises:
         FileNotFoundError: there is no such file.
-        ResultsError: it is no database of avoidbench, of a newer one, or damaged.
+        ResultsError: it is not a database of avoidbench, is of a newer version, or is damaged.
     """
     return Results(path)

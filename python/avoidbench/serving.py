@@ -4,8 +4,8 @@ protocol. Needs NumPy and nothing else.
     if __name__ == "__main__":
         avoidbench.serve(MyPlanner)
 
-A file that defines one planner needs not even that: `python -m avoidbench.serving FILE` serves it, and with a class's
-name behind it that one of several."""
+A file that defines one planner does not even need that: `python -m avoidbench.serving FILE` serves it; to choose one
+of several, add the class's name."""
 
 import ast
 import importlib.util
@@ -207,7 +207,7 @@ def _description(writer: _Writer, planner: type[p.Planner], files: Sequence[str]
 
 
 def _made(kind: type[Made], given: NDArray[np.void], /, **others: Any) -> Made:
-    """One of planner.py's dataclasses, whose fields have the names that they have in the struct; but for `others`."""
+    """One of planner.py's dataclasses, whose fields are named as in the struct, except for `others`."""
     for name in kind.__dataclass_fields__:  # type: ignore[attr-defined]
         if name not in others:
             value = given[name]
@@ -498,14 +498,14 @@ class _Server:
 
 
 def serve(planner: type[p.Planner], *, is_script_file: bool = True) -> None:
-    """Serves `planner` until the program avoidbench, which started this process, lets go of it. Call it at the end of
+    """Serves `planner` until the program avoidbench, which started this process, releases it. Call it at the end of
     the script.
 
-    is_script_file: whether the planner's file, of which trials know it, is the script that defines the class. With
-    `command: [my_tool, model.yaml]` it is model.yaml: `files` are relative to its folder then, and modules of the
-    script count only where `files` names them.
+    is_script_file: whether the planner's file, which identifies it in trials, is the script that defines the class.
+    With `command: [my_tool, model.yaml]` it is model.yaml: `files` are then relative to its folder, and modules of the
+    script count only if `files` names them.
 
-    What the class declares wrongly is the program's to tell. Started by hand it says how a planner is flown, with exit
+    The program reports wrong declarations of the class. Started by hand, it prints how to fly a planner and exits with
     code 2."""
     given = os.environ.get(layouts.AB_PROCESS_VARIABLE)
     if given is None:
@@ -570,7 +570,7 @@ def main(file: str, name: str | None = None) -> None:
         serve(*planners.values())
     elif planners:
         sys.exit(
-            f"{script.name} defines the planners {', '.join(planners)}: say which one it is, by `plugin: process, "
+            f"{script.name} defines the planners {', '.join(planners)}: choose one with `plugin: process, "
             f"parameters: {{command: [python3, -m, avoidbench.serving, {script.name}, {next(iter(planners))}]}}`"
         )
     elif layouts.AB_PROCESS_VARIABLE in script.read_text(encoding="utf-8", errors="replace"):

@@ -106,7 +106,7 @@ def check_flight(connection: sqlite3.Connection, path: Path, key: str) -> None:
 
 
 def _unpacked(packed: bytes, count: int) -> bytes | None:
-    """The samples one after the other; None where `packed` is not of so many."""
+    """The samples one after the other; None if `packed` has another number of them."""
     unpacker = zlib.decompressobj()
     try:
         planes = unpacker.decompress(packed, count * _SAMPLE_BYTES + 1)

@@ -40,7 +40,7 @@ def _plain(value: Any) -> Any:
         return os.fspath(value)
     if hasattr(value, "tolist"):
         return value.tolist()
-    raise TypeError(f"{value!r} of type {type(value).__name__} can't be said in a sweep")
+    raise TypeError(f"{value!r} of type {type(value).__name__} can't be used in a sweep")
 
 
 def _json(value: Any) -> str:
@@ -251,33 +251,33 @@ def run(
 ) -> Results:
     """Flies a sweep's trials by the avoidbench program, in worker processes, and returns their results.
 
-    Trials that the database has are not flown again, so the same call goes on where it was stopped. An
-    interrupt (Ctrl-C, a notebook's stop) lets the trials in flight finish and keeps all that was flown; a
-    second one ends at once.
+    Trials that the database has are not flown again, so the same call resumes where it was stopped. An
+    interrupt (Ctrl-C, a notebook's stop) lets the trials in flight finish and keeps all finished trials; a
+    second one ends immediately.
 
     Args:
-        sweep: a sweep file (YAML), the name of one that comes with avoidbench ("quick"), or a dict that says
-            what a file would, whose paths start from the current folder.
+        sweep: a sweep file (YAML), the name of one that comes with avoidbench ("quick"), or a dict with the
+            contents of a file, whose paths are relative to the current folder.
         set: values to override, {"maps.poisson_radius_m": 3.0} or ["maps.poisson_radius_m=3.0"]; a list of
-            values where one is expected is an axis.
+            values in place of one value is an axis.
         jobs: worker processes; None: one per allowed CPU.
         database: file of the results; None: results/NAME.db, NAME being the sweep's.
-        progress: shows a bar, and what the program says. Its warnings are always Python's warnings.
+        progress: shows a bar and the program's messages. Its warnings are always Python's warnings.
         shard: fly this part of the sweep only, such as "2/3".
         until: when a planner has flown enough, such as "success_rate ci<0.05".
-        rerun: fly trials again that are there: "failed", "all", or a trial's key.
+        rerun: fly stored trials again: "failed", "all", or a trial's key.
         plan_timeout_s, trial_timeout_s: wall time after which a plan call (10) or trial (3600) counts as hung.
-        memory_limit_mib: resident memory of a worker; None: nine tenths of what there is, shared by all.
-        grace_s: time that trials in flight have after an interrupt (30).
-        bundle: keep copies of maps and wind fields from files beside the database, too.
+        memory_limit_mib: limit of a worker's resident memory; None: nine tenths of the memory, shared by all.
+        grace_s: time for trials in flight to finish after an interrupt (30).
+        bundle: also keep copies of map and wind field files next to the database.
         keep_planners: keep copies of the planners there, to fly trials again after a rebuild.
         sandbox: False lets planners write files, start programs and use the network.
 
     Returns:
-        The results of this sweep in the revision that was flown, those of former runs included.
+        The results of this sweep in the revision that was flown, including those of earlier runs.
 
     Raises:
-        ProgramError: what is wrong in the sweep, with FILE:LINE:COLUMN, or why the run failed.
+        ProgramError: the errors in the sweep, with FILE:LINE:COLUMN, or why the run failed.
         KeyboardInterrupt: the user stopped it.
     """
     is_dict = isinstance(sweep, Mapping)
@@ -310,7 +310,7 @@ def run(
     if is_dict:
         stderr = without_columns(stderr, "standard input", "the sweep")
     if is_interrupted:
-        raise KeyboardInterrupt("stopped; all that was flown is kept, and the same call goes on from there")
+        raise KeyboardInterrupt("stopped; finished trials are kept, and the same call resumes from there")
     if exit_code not in (_EXIT_DONE, _EXIT_UNFLOWN):
         raise error_of(command, exit_code, stderr)
     warn_of(stderr, stacklevel=2)

@@ -29,7 +29,7 @@ class Occupancy(NamedTuple):
     """Cubic cells over a map's bounds."""
 
     is_occupied: NDArray[np.bool_]
-    """(X, Y, Z): whether a surface touches the cell. What is inside of things is not occupied."""
+    """(X, Y, Z): whether a surface touches the cell. The inside of obstacles is not occupied."""
     origin_world: NDArray[np.float64]
     """(3,), metres: the low corner of cell (0, 0, 0). The centre of cell c is at origin_world + (c + 0.5) *
     resolution_m."""
@@ -63,20 +63,20 @@ def _numbers(given: ArrayLike, name: str, wanted: str) -> NDArray[np.float64]:
     try:
         array = np.asarray(given)
     except ValueError as error:
-        raise ValueError(f"{name}: {wanted} is wanted: {error}") from None
+        raise ValueError(f"{name}: expected {wanted}: {error}") from None
     if array.dtype.kind not in "fiu":
-        raise TypeError(f"{name}: {wanted} of real numbers is wanted, not of {array.dtype}")
+        raise TypeError(f"{name}: expected {wanted} of real numbers, got {array.dtype}")
     return np.asarray(array, dtype=np.float64, order="C")
 
 
 def _points(given: ArrayLike, name: str) -> NDArray[np.float64]:
     """(N, 3); of one point (1, 3)."""
-    wanted = "an array (N, 3) or (3,)"
+    wanted = "an array of shape (N, 3) or (3,)"
     array = _numbers(given, name, wanted)
     if array.shape == (3,):
         array = array[np.newaxis]
     if array.ndim != 2 or array.shape[1] != 3:
-        raise ValueError(f"{name}: {wanted} is wanted, not {array.shape}")
+        raise ValueError(f"{name}: expected {wanted}, got {array.shape}")
     if not np.isfinite(array).all():
         raise ValueError(f"{name}: not all are finite")
     return array
@@ -84,27 +84,27 @@ def _points(given: ArrayLike, name: str) -> NDArray[np.float64]:
 
 def _poses(given: ArrayLike) -> NDArray[np.float64]:
     """(N, 4, 4); of one pose (1, 4, 4)."""
-    wanted = "an array (N, 4, 4) or (4, 4)"
+    wanted = "an array of shape (N, 4, 4) or (4, 4)"
     array = _numbers(given, "T_world_camera", wanted)
     if array.shape == (4, 4):
         array = array[np.newaxis]
     if array.ndim != 3 or array.shape[1:] != (4, 4):
-        raise ValueError(f"T_world_camera: {wanted} is wanted, not {array.shape}")
+        raise ValueError(f"T_world_camera: expected {wanted}, got {array.shape}")
     return array
 
 
 def _rotations(quaternions_wxyz: ArrayLike) -> NDArray[np.float64]:
     """(N, 3, 3) of (N, 4) or (4,) unit quaternions."""
-    wanted = "an array (N, 4) or (4,) of unit quaternions (w, x, y, z)"
+    wanted = "an array of shape (N, 4) or (4,), unit quaternions (w, x, y, z)"
     q = _numbers(quaternions_wxyz, "quaternions_wxyz", wanted)
     if q.shape == (4,):
         q = q[np.newaxis]
     if q.ndim != 2 or q.shape[1] != 4:
-        raise ValueError(f"quaternions_wxyz: {wanted} is wanted, not {q.shape}")
+        raise ValueError(f"quaternions_wxyz: expected {wanted}, got {q.shape}")
     norms = np.sqrt((q * q).sum(axis=1))
     wrong = np.flatnonzero(~(np.abs(norms - 1.0) <= 1e-5))
     if wrong.size:
-        raise ValueError(f"quaternions_wxyz[{wrong[0]}] is no unit quaternion: its norm is {norms[wrong[0]]:g}")
+        raise ValueError(f"quaternions_wxyz[{wrong[0]}] is not a unit quaternion: its norm is {norms[wrong[0]]:g}")
     w, x, y, z = (q / norms[:, np.newaxis]).T
     rows = [
         [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
@@ -115,10 +115,10 @@ def _rotations(quaternions_wxyz: ArrayLike) -> NDArray[np.float64]:
 
 
 def _joined(positions: NDArray[np.float64], rotations: NDArray[np.float64], names: str) -> NDArray[np.float64]:
-    """(N, 4, 4); a single position or rotation stands for all."""
+    """(N, 4, 4); a single position or rotation applies to all."""
     counts = {len(positions), len(rotations)} - {1}
     if len(counts) > 1:
-        raise ValueError(f"{names}: as many are wanted, not {len(positions)} and {len(rotations)}")
+        raise ValueError(f"{names}: expected equal lengths, got {len(positions)} and {len(rotations)}")
     poses = np.zeros((counts.pop() if counts else 1, 4, 4))
     poses[:, :3, :3] = rotations
     poses[:, :3, 3] = positions
@@ -129,15 +129,15 @@ def _joined(positions: NDArray[np.float64], rotations: NDArray[np.float64], name
 def look_at(positions_world: ArrayLike, targets_world: ArrayLike) -> NDArray[np.float64]:
     """Poses T_world_camera (N, 4, 4) of upright cameras that look from positions to targets.
 
-    positions_world, targets_world: (N, 3) or (3,), metres; a single one stands for all. Camera frame: RDF. Who looks
-    straight up or down has world x to the right.
+    positions_world, targets_world: (N, 3) or (3,), metres; a single one applies to all. Camera frame: RDF. A camera
+    that looks straight up or down has world x to the right.
 
-    Raises TypeError for what are no numbers, ValueError for wrong shapes, numbers that are not finite, and a target at
-    its camera."""
+    Raises TypeError if something is not numeric, ValueError for wrong shapes, numbers that are not finite, and a
+    target at its camera."""
     positions, targets = _points(positions_world, "positions_world"), _points(targets_world, "targets_world")
     if len(positions) != len(targets) and 1 not in (len(positions), len(targets)):
         raise ValueError(
-            f"positions_world and targets_world: as many are wanted, not {len(positions)} and {len(targets)}"
+            f"positions_world and targets_world: expected equal lengths, got {len(positions)} and {len(targets)}"
         )
     forward = targets - positions
     lengths = np.sqrt((forward * forward).sum(axis=1))
@@ -156,7 +156,7 @@ def look_at(positions_world: ArrayLike, targets_world: ArrayLike) -> NDArray[np.
 def _seed(given: SupportsIndex, name: str) -> int:
     seed = operator.index(given)
     if not 0 <= seed <= _MOST_SEED:
-        raise ValueError(f"{name}: a whole number of [0, 2**64) is wanted, not {seed}")
+        raise ValueError(f"{name}: expected a whole number in [0, 2**64), got {seed}")
     return seed
 
 
@@ -164,8 +164,8 @@ class World:
     """A map. make_world() makes one.
 
     World frame: ENU, z up, metres. The same map and the same results from the same arguments on every machine.
-    Obstacles that move stand where they are when a flight begins. May be asked by several threads at once; the long
-    calls run without Python's lock."""
+    Moving obstacles are where they are when a flight begins. Several threads may call it at the same time; long calls
+    run without Python's lock."""
 
     def __init__(self, core: _core.World) -> None:
         self._core = core
@@ -210,7 +210,7 @@ class World:
 
     @property
     def obstacles(self) -> list[Obstacle]:
-        """All that a vehicle may hit, ground and walls too."""
+        """Everything that a vehicle may hit, including ground and walls."""
         return [Obstacle(kind, (row[0], row[1], row[2]), row[3]) for kind, row in self._core.obstacles()]
 
     def mesh(self) -> tuple[NDArray[np.float64], NDArray[np.int32]]:
@@ -225,8 +225,8 @@ class World:
         """For each of the points (N, 3) or (3,), world, metres: the distance to the nearest surface within limit_m, and
         the point there.
 
-        Raises TypeError for what are no numbers, ValueError for wrong shapes, for points that are not finite or beyond
-        1e6 m, and for a limit that is not above 0."""
+        Raises TypeError if something is not numeric, ValueError for wrong shapes, for points that are not finite or
+        beyond 1e6 m, and for a limit that is not above 0."""
         points = _points(points_world, "points_world")
         distances, nearest = np.empty(len(points)), np.empty((len(points), 3))
         self._core.write_nearest(points, limit_m, distances, nearest)
@@ -240,7 +240,7 @@ class World:
         return Occupancy(is_occupied, np.array(origin), float(resolution_m))
 
     def missions(self, count: SupportsIndex) -> Missions:
-        """The first `count` missions of the map, those that a sweep of it flies.
+        """The first `count` missions of the map, the ones that a sweep on it flies.
 
         Raises ValueError for a count that is negative or more than the sweep lists, InputError where no place is
         free."""
@@ -263,8 +263,8 @@ class World:
         min_range_m or the sensor fails.
 
         T_world_camera: (N, 4, 4) or (4, 4), the camera's pose; camera frame RDF (x right, y down, z forward). look_at()
-        makes some. Or instead positions_world (N, 3) or (3,), metres, and quaternions_wxyz (N, 4) or (4,), unit, which
-        take camera coordinates to world's; a single one stands for all.
+        makes such poses. Or instead positions_world (N, 3) or (3,), metres, and quaternions_wxyz (N, 4) or (4,), unit,
+        which take camera coordinates to the world's; a single one applies to all.
 
         sensor: a name of `avoidbench sensors list`, or a mapping as a sweep file has it; of several cameras the first.
         The default, depth_ideal, has the true depth. fields: the sensor's fields that differ, such as width_px=64,
@@ -273,8 +273,8 @@ class World:
         seed: of the sensor's noise; image i has its own. out: a C-contiguous float32 array (N, height_px, width_px) to
         write to.
 
-        Raises InputError for a sensor that is none, TypeError for what are no numbers, ValueError for wrong shapes, for
-        quaternions that are no unit ones, for poses that are no rotation and translation, and for places that are not
+        Raises InputError for an invalid sensor, TypeError if something is not numeric, ValueError for wrong shapes,
+        quaternions of another norm than 1, poses that are not a rotation and a translation, and places that are not
         finite or beyond 1e6 m."""
         is_single, poses = self._camera_poses(T_world_camera, positions_world, quaternions_wxyz)
         camera = self._sensor(sensor, fields)
@@ -282,9 +282,9 @@ class World:
         if out is None:
             images = np.empty(shape, dtype=np.float32)
         elif not isinstance(out, np.ndarray) or out.dtype != np.float32:
-            raise TypeError("out: an array of float32 is wanted")
+            raise TypeError("out: expected an array of float32")
         elif out.shape != shape or not out.flags.c_contiguous or not out.flags.writeable:
-            raise ValueError(f"out: a writeable, C-contiguous array {shape} is wanted, not {out.shape}")
+            raise ValueError(f"out: expected a writeable, C-contiguous array of shape {shape}, got {out.shape}")
         else:
             images = out
         self._core.write_depth(camera, poses, _seed(seed, "seed"), images)
@@ -302,7 +302,7 @@ class World:
             names = "positions_world and quaternions_wxyz"
             joined = _joined(_points(positions, "positions_world"), _rotations(quaternions), names)
             return np.ndim(positions) == 1 and np.ndim(quaternions) == 1, joined
-        raise TypeError("either T_world_camera is wanted, or both positions_world and quaternions_wxyz")
+        raise TypeError("expected either T_world_camera, or both positions_world and quaternions_wxyz")
 
     def _sensor(self, sensor: str | Mapping[str, Any], fields: Mapping[str, Any]) -> _core.Sensor:
         options = [f"sensor={yaml_text(sensor, 'sensor')}", *overrides(fields, "sensor.")]
@@ -318,12 +318,12 @@ def make_world(
     """A map.
 
     source: the name of a generator ("forest"; `avoidbench maps list` has all), a sweep file, a file with a map's fields
-    alone, a built-in sweep's name, or a mapping with what such a file says: {"generator": "hall", "crates_ratio": 0.5}
-    or {"maps": {…}, "mission": {…}}. Of a sweep's several maps the first is taken. seed: the map's; by default that of
-    the file, else 1. fields: what differs from there, such as poisson_radius_m=3.5 or area_m=[20, 30]; also a sweep's
-    other settings, such as mission={"free_radius_m": 1.0}, or **{"mission.free_radius_m": 1.0}.
+    alone, a built-in sweep's name, or a mapping with the contents of such a file: {"generator": "hall", "crates_ratio":
+    0.5} or {"maps": {…}, "mission": {…}}. Of a sweep with several maps, the first is used. seed: the map's; by default
+    that of the file, else 1. fields: changes to the source, such as poisson_radius_m=3.5 or area_m=[20, 30]; also other
+    settings of a sweep, such as mission={"free_radius_m": 1.0}, or **{"mission.free_radius_m": 1.0}.
 
-    Raises InputError with all that is wrong, each at its place; TypeError for values that a sweep file can't have."""
+    Raises InputError with all errors and their places; TypeError for values that a sweep file can't have."""
     options = overrides(fields)
     map_seed = None if seed is None else _seed(seed, "seed")
     if isinstance(source, Mapping):
@@ -332,10 +332,10 @@ def make_world(
     elif isinstance(source, (str, os.PathLike)):
         given = plain_text(os.fspath(source), "source")
         if given == "-":
-            raise ValueError("source: a file or a name is wanted; '-' is none here")
+            raise ValueError("source: expected a file or a name, got '-'")
         core = _core.read_world(given, options, map_seed)
     else:
-        raise TypeError(f"source: a name, a file or a mapping is wanted, not {type(source).__name__}")
+        raise TypeError(f"source: expected a name, a file or a mapping, got {type(source).__name__}")
     for warning in core.warnings:
         warnings.warn(warning, stacklevel=2)
     return World(core)

@@ -154,10 +154,10 @@ def test_the_forest_by_lidar() -> None:
 @pytest.mark.parametrize(
     ("sensor", "observe", "options", "text"),
     [
-        (SMALL["sensor"], ["points"], {}, "points and ranges are of lidars, and the sensor has none"),
-        (SMALL["sensor"], ["depth", "ranges"], {}, "points and ranges are of lidars"),
-        (ALONE, ["depth", "state"], {}, "are of cameras, and the sensor has none: observe ranges or points"),
-        (ALONE, ["color"], {}, "are of cameras"),
+        (SMALL["sensor"], ["points"], {}, "points and ranges come from lidars, and the sensor has none"),
+        (SMALL["sensor"], ["depth", "ranges"], {}, "points and ranges come from lidars"),
+        (ALONE, ["depth", "state"], {}, "come from cameras, and the sensor has none: observe ranges or points"),
+        (ALONE, ["color"], {}, "come from cameras"),
         ({**ALONE, "lidars": [{**EXACT, "min_range_m": 0}]}, ["ranges"], {}, "lidars' min_range_m, which is 0"),
     ],
 )

@@ -41,18 +41,18 @@ def single(**options: Any) -> AvoidbenchEnv:
 @pytest.mark.parametrize(
     ("actions", "error", "text"),
     [
-        (np.zeros(4), ValueError, r"actions: an array \(2, 4\) is wanted, not \(4,\)"),
-        (np.zeros((2, 5)), ValueError, r"not \(2, 5\)"),
-        (np.zeros((0, 4)), ValueError, r"not \(0, 4\)"),
-        (np.zeros((2, 4, 1)), ValueError, r"not \(2, 4, 1\)"),
-        ([[1, 2], [3]], ValueError, r"actions: an array \(2, 4\) is wanted"),
-        (np.zeros((2, 4), object), TypeError, "not object"),
-        (np.zeros((2, 4), complex), TypeError, "not complex128"),
-        (np.zeros((2, 4), bool), TypeError, "not bool"),
-        (np.full((2, 4), "1"), TypeError, "not <U1"),
-        (np.zeros((2, 4), "datetime64[s]"), TypeError, "not datetime64"),
-        ("up", TypeError, "real numbers are wanted"),
-        (None, TypeError, "not object"),
+        (np.zeros(4), ValueError, r"actions: expected an array of shape \(2, 4\), got \(4,\)"),
+        (np.zeros((2, 5)), ValueError, r"got \(2, 5\)"),
+        (np.zeros((0, 4)), ValueError, r"got \(0, 4\)"),
+        (np.zeros((2, 4, 1)), ValueError, r"got \(2, 4, 1\)"),
+        ([[1, 2], [3]], ValueError, r"actions: expected an array of shape \(2, 4\)"),
+        (np.zeros((2, 4), object), TypeError, "got object"),
+        (np.zeros((2, 4), complex), TypeError, "got complex128"),
+        (np.zeros((2, 4), bool), TypeError, "got bool"),
+        (np.full((2, 4), "1"), TypeError, "got <U1"),
+        (np.zeros((2, 4), "datetime64[s]"), TypeError, "got datetime64"),
+        ("up", TypeError, "expected real numbers"),
+        (None, TypeError, "got object"),
         ([[np.nan] * 4] * 2, InputError, "slot 0: number 0 of the action is not finite"),
         ([[0] * 4, [0, 0, 0, -np.inf]], InputError, "slot 1: number 3 of the action is not finite"),
         ([[0] * 4, [0, 0, 0, 1e5]], InputError, r"slot 1: number 3 of the action is 1e\+05, beyond ±9e\+04"),
@@ -78,10 +78,10 @@ def test_actions_of_one_flight_are_told_by_their_name() -> None:
     env = single()
     env.reset()
     for action, error, text in (
-        (np.zeros(3), ValueError, r"action: an array \(4,\) is wanted, not \(3,\)"),
-        ([[1, 2], [3]], ValueError, "action: an array"),
-        ("up", TypeError, "action: real numbers"),
-        (np.zeros((1, 4)), ValueError, r"not \(1, 4\)"),
+        (np.zeros(3), ValueError, r"action: expected an array of shape \(4,\), got \(3,\)"),
+        ([[1, 2], [3]], ValueError, "action: expected an array"),
+        ("up", TypeError, "action: expected real numbers"),
+        (np.zeros((1, 4)), ValueError, r"got \(1, 4\)"),
     ):
         with pytest.raises(error, match=text):
             env.step(action)
@@ -139,9 +139,9 @@ def test_a_closed_environment_says_so() -> None:
 def test_steps_at_the_wrong_time() -> None:
     env, one = vector(autoreset_mode="Disabled"), single(sweep=ONE)
     for begun in (env, one):
-        with pytest.raises(InputError, match=r"slot 0: reset\(\) comes before step\(\)"):
+        with pytest.raises(InputError, match=r"slot 0: call reset\(\) before step\(\)"):
             begun.step(STILL[0] if begun is one else STILL)
-    with pytest.raises(InputError, match="slot 1: reset"):
+    with pytest.raises(InputError, match="slot 1: call reset"):
         env.reset(options={"reset_mask": np.array([True, False])})
         env.step(STILL)
     one.reset()
@@ -156,11 +156,11 @@ def test_steps_at_the_wrong_time() -> None:
 @pytest.mark.parametrize(
     ("arguments", "error", "text"),
     [
-        ({"seed": -1}, ValueError, "seed: -1"),
+        ({"seed": -1}, ValueError, "seed: expected .* got -1"),
         ({"seed": 2**64}, ValueError, "seed"),
-        ({"seed": 1.0}, TypeError, "seed: a whole number"),
+        ({"seed": 1.0}, TypeError, "seed: expected a whole number"),
         ({"seed": "1"}, TypeError, "seed"),
-        ({"options": {"mask": 1}}, ValueError, "'mask' is no option"),
+        ({"options": {"mask": 1}}, ValueError, "'mask' is not an option"),
     ],
 )
 def test_resets_that_are_none(arguments: dict[str, Any], error: type[Exception], text: str) -> None:
@@ -175,7 +175,7 @@ def test_masks_that_are_none(mask: Any) -> None:
     env.reset()
     with pytest.raises(ValueError, match="reset_mask"):
         env.reset(options={"reset_mask": mask})
-    with pytest.raises(InputError, match="a seed is of all slots"):
+    with pytest.raises(InputError, match="a seed applies to all slots"):
         env.reset(seed=1, options={"reset_mask": np.array([True, False])})
     with pytest.raises(TypeError, match="one number for all slots"):
         env.reset(seed=[1, 2])
@@ -185,41 +185,41 @@ def test_masks_that_are_none(mask: Any) -> None:
 @pytest.mark.parametrize(
     ("arguments", "error", "text"),
     [
-        ({"observe": ["deph"]}, ValueError, "observe: 'deph' is none of .*did you mean depth"),
-        ({"observe": "depth"}, TypeError, "observe: a list of names"),
+        ({"observe": ["deph"]}, ValueError, "observe: 'deph' is not one of .*did you mean depth"),
+        ({"observe": "depth"}, TypeError, "observe: expected a list of names"),
         ({"observe": []}, ValueError, "at least one"),
-        ({"observe": ["goal", "goal"]}, ValueError, "each once"),
+        ({"observe": ["goal", "goal"]}, ValueError, "each only once"),
         ({"observe": [3]}, ValueError, "observe: 3"),
         ({"observe": None}, TypeError, "iterable"),
         ({"action": "velocty"}, InputError, "did you mean velocity"),
-        ({"action": 3}, TypeError, "action: a word"),
+        ({"action": 3}, TypeError, "action: expected a word"),
         ({"frame": "wrld"}, InputError, "did you mean world"),
         ({"order": "inturn"}, InputError, "did you mean in_turn"),
         ({"depth": "invers"}, InputError, "did you mean inverse"),
         ({"policy": "a\0"}, ValueError, "byte 0"),
         ({"policy": "\udcff"}, ValueError, "UTF-8"),
-        ({"kept_maps": 0}, ValueError, "kept_maps: 0"),
-        ({"seed": -1}, ValueError, "seed: -1"),
-        ({"trajectory_points": 0}, ValueError, "trajectory_points: 0"),
+        ({"kept_maps": 0}, ValueError, "kept_maps: expected .* got 0"),
+        ({"seed": -1}, ValueError, "seed: expected .* got -1"),
+        ({"trajectory_points": 0}, ValueError, "trajectory_points: expected .* got 0"),
         ({"trajectory_points": 10**30}, ValueError, "trajectory_points"),
         ({"trajectory_horizon_s": 0}, InputError, "horizon"),
         ({"trajectory_horizon_s": 1e-300}, InputError, "horizon"),
         ({"trajectory_horizon_s": float("nan")}, ValueError, "not finite"),
-        ({"trajectory_horizon_s": "1"}, TypeError, "a number is wanted"),
-        ({"reward": 3}, TypeError, "reward: a Reward"),
+        ({"trajectory_horizon_s": "1"}, TypeError, "expected a number"),
+        ({"reward": 3}, TypeError, "reward: expected a Reward"),
         ({"reward": avoidbench.env.Reward(crash=float("inf"))}, ValueError, "reward.crash: inf is not finite"),
         ({"reward": avoidbench.env.Reward(goal="1")}, TypeError, "reward.goal"),  # type: ignore[arg-type]
         ({"render_mode": "human"}, ValueError, "render_mode"),
         ({"set": {"trials": 0}}, InputError, "trials"),
         ({"set": {"no_such": 1}}, InputError, "no_such"),
         ({"set": {"latency.mode": "measured"}}, InputError, "latency.mode"),
-        ({"sweep": None}, TypeError, "sweep: a file"),
-        ({"sweep": b"x"}, TypeError, "not bytes"),
+        ({"sweep": None}, TypeError, "sweep: expected a file"),
+        ({"sweep": b"x"}, TypeError, "got bytes"),
         ({"sweep": ""}, InputError, "no built-in sweep"),
         ({"sweep": "no/such.yaml"}, InputError, "no/such.yaml"),
         ({"sweep": {}}, InputError, "the sweep"),
         ({"sweep": {**SMALL, "trails": 3}}, InputError, r"^the sweep: trails: .*did you mean trials"),
-        ({"sweep": {**SMALL, 3: 3}}, TypeError, "keys must be text"),
+        ({"sweep": {**SMALL, 3: 3}}, TypeError, "expected text as a key"),
         ({"sweep": changed(SMALL, sensor={"min_range_m": 0}), "observe": ["depth"]}, InputError, "min_range_m"),
         ({"sweep": {**SMALL, "axes": {"sensor.width_px": [16, 20]}}}, InputError, "one shape"),
     ],
@@ -267,13 +267,17 @@ def test_copies_and_pickles_are_refused() -> None:
 @pytest.mark.parametrize(
     ("given", "error", "text"),
     [
-        (lambda *_: np.zeros(3), ValueError, r"reward: the function gave an array \(3,\) where \(2,\) is wanted"),
-        (lambda *_: 0.0, ValueError, r"gave an array \(\)"),
+        (
+            lambda *_: np.zeros(3),
+            ValueError,
+            r"reward: expected an array of shape \(2,\) from the function, got \(3,\)",
+        ),
+        (lambda *_: 0.0, ValueError, r"from the function, got \(\)"),
         (lambda *_: [0.0, float("nan")], ValueError, "gave nan, which is not finite"),
         (lambda *_: [0.0, float("inf")], ValueError, "gave inf"),
-        (lambda *_: [1j, 0], TypeError, "gave complex128"),
-        (lambda *_: None, TypeError, "gave object"),
-        (lambda *_: "ab", TypeError, "gave <U2"),
+        (lambda *_: [1j, 0], TypeError, "got complex128"),
+        (lambda *_: None, TypeError, "got object"),
+        (lambda *_: "ab", TypeError, "got <U2"),
         (lambda *_: 1 / 0, ZeroDivisionError, "division"),
         (lambda: 0, TypeError, "arguments"),
     ],
@@ -485,7 +489,7 @@ def test_control_c_ends_long_calls_soon(call: str, threads: int) -> None:
     )
     lines = output.split("\n")
     assert status == 0 and lines[0] == "interrupted" and lines[2] == "usable", output
-    assert lines[1] in ("reset() comes before step()", "goes on"), output
+    assert lines[1] in ("call reset() before step()", "goes on"), output
     assert time.monotonic() - began < 60.0
 
 

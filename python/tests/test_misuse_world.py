@@ -35,20 +35,20 @@ def changed(row: int, column: int, value: float) -> np.ndarray:
         ("mesh", {"file": "none.obj"}, avoidbench.InputError, "no file .*none.obj"),
         ("no/such/file.yaml", {}, avoidbench.InputError, "neither a file"),
         ("", {}, avoidbench.InputError, "neither a file"),
-        ("-", {}, ValueError, "'-' is none here"),
+        ("-", {}, ValueError, "got '-'"),
         ("a\0b", {}, ValueError, "byte 0"),
         ("\udcff", {}, ValueError, "UTF-8"),
-        (b"forest", {}, TypeError, "not bytes"),
-        (None, {}, TypeError, "not NoneType"),
-        ({"generator": "hall", 3: 4}, {}, TypeError, "keys must be text"),
+        (b"forest", {}, TypeError, "got bytes"),
+        (None, {}, TypeError, "got NoneType"),
+        ({"generator": "hall", 3: 4}, {}, TypeError, "expected text as a key"),
         ({"generator": "hall", "crates_ratio": "much"}, {}, avoidbench.InputError, r"^source: .*crates_ratio"),
         ({"generator": {}}, {}, avoidbench.InputError, "generator"),
         ({"maps": [1]}, {}, avoidbench.InputError, "maps"),
         ("forest", {"area_m": [20, float("nan")]}, ValueError, r"area_m\[1\]: nan is not finite"),
         ("forest", {"area_m": np.zeros((2, 2))}, avoidbench.InputError, "area_m"),
-        ("forest", {"area_m": object()}, TypeError, "area_m: a number"),
-        ("forest", {"a=b": 1}, ValueError, "no name of a field"),
-        ("forest", {"a[": 1}, avoidbench.InputError, "no dotted path"),
+        ("forest", {"area_m": object()}, TypeError, "area_m: expected a number"),
+        ("forest", {"a=b": 1}, ValueError, "not the name of a field"),
+        ("forest", {"a[": 1}, avoidbench.InputError, "not a dotted path"),
         ("forest", {"seed": -1}, ValueError, "seed"),
         ("forest", {"seed": 2**64}, ValueError, "seed"),
         ("forest", {"seed": 1.5}, TypeError, "float"),
@@ -83,8 +83,8 @@ def test_a_file_that_is_no_yaml_is_told_with_its_place(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("poses", "error", "text"),
     [
-        (np.eye(3), ValueError, r"an array \(N, 4, 4\) or \(4, 4\) is wanted, not \(3, 3\)"),
-        (np.zeros((2, 3, 4)), ValueError, r"not \(2, 3, 4\)"),
+        (np.eye(3), ValueError, r"an array of shape \(N, 4, 4\) or \(4, 4\), got \(3, 3\)"),
+        (np.zeros((2, 3, 4)), ValueError, r"got \(2, 3, 4\)"),
         (np.zeros((4, 4)), ValueError, "the last row"),
         (2 * np.eye(4), ValueError, "the last row"),
         (changed(0, 0, 1.1), ValueError, "no rotation"),
@@ -98,7 +98,7 @@ def test_a_file_that_is_no_yaml_is_told_with_its_place(tmp_path: Path) -> None:
         (np.eye(4, dtype=bool), TypeError, "bool"),
         ("front", TypeError, "real numbers"),
         ([[1, 2], [3]], ValueError, "T_world_camera"),
-        (5.0, ValueError, r"not \(\)"),
+        (5.0, ValueError, r"got \(\)"),
         (None, TypeError, "either T_world_camera"),
     ],
 )
@@ -113,12 +113,12 @@ def test_poses_that_are_none_are_refused(
     ("positions", "quaternions", "error", "text"),
     [
         ([0, 0, 1], [1, 0, 0], ValueError, r"\(N, 4\) or \(4,\)"),
-        ([0, 0, 1], [2, 0, 0, 0], ValueError, r"quaternions_wxyz\[0\] is no unit quaternion: its norm is 2"),
-        ([0, 0, 1], [np.nan, 0, 0, 0], ValueError, "no unit quaternion"),
-        ([0, 0, 1], [0, 0, 0, 0], ValueError, "no unit quaternion"),
+        ([0, 0, 1], [2, 0, 0, 0], ValueError, r"quaternions_wxyz\[0\] is not a unit quaternion: its norm is 2"),
+        ([0, 0, 1], [np.nan, 0, 0, 0], ValueError, "not a unit quaternion"),
+        ([0, 0, 1], [0, 0, 0, 0], ValueError, "not a unit quaternion"),
         ([0, 0, np.inf], [1, 0, 0, 0], ValueError, "not all are finite"),
-        ([0, 0], [1, 0, 0, 0], ValueError, r"\(N, 3\) or \(3,\) is wanted, not \(2,\)"),
-        (np.zeros((2, 3)), np.tile([1, 0, 0, 0], (3, 1)), ValueError, "not 2 and 3"),
+        ([0, 0], [1, 0, 0, 0], ValueError, r"\(N, 3\) or \(3,\), got \(2,\)"),
+        (np.zeros((2, 3)), np.tile([1, 0, 0, 0], (3, 1)), ValueError, "got 2 and 3"),
         ([0, 0, 1], None, TypeError, "both positions_world and quaternions_wxyz"),
     ],
 )
@@ -132,7 +132,7 @@ def test_places_that_are_none_are_refused(
 @pytest.mark.parametrize(
     ("fields", "error", "text"),
     [
-        ({"sensor": "eye"}, avoidbench.InputError, "is no sensor; known: "),
+        ({"sensor": "eye"}, avoidbench.InputError, "is not a sensor; known: "),
         ({"sensor": {"kind": "eye"}}, avoidbench.InputError, "kind"),
         ({"sensor": 3}, avoidbench.InputError, "sensor"),
         ({"sensor": object()}, TypeError, "sensor"),
@@ -144,7 +144,7 @@ def test_places_that_are_none_are_refused(
         ({"sensor": "stereo_sgbm", "block_px": 4}, avoidbench.InputError, "block_px"),
         ({"seed": -1}, ValueError, "seed"),
         ({"out": np.zeros((1, 240, 320))}, TypeError, "float32"),
-        ({"out": np.zeros((1, 24, 32), np.float32)}, ValueError, r"\(1, 240, 320\) is wanted, not \(1, 24, 32\)"),
+        ({"out": np.zeros((1, 24, 32), np.float32)}, ValueError, r"\(1, 240, 320\), got \(1, 24, 32\)"),
         ({"out": np.zeros((320, 240, 1), np.float32).T}, ValueError, "C-contiguous"),
         ({"out": 3}, TypeError, "out"),
     ],
@@ -159,8 +159,8 @@ def test_sensors_that_are_none_are_refused(
 @pytest.mark.parametrize(
     ("points", "limit", "error", "text"),
     [
-        ([1, 2], np.inf, ValueError, r"an array \(N, 3\) or \(3,\) is wanted, not \(2,\)"),
-        (np.zeros((2, 2)), np.inf, ValueError, r"not \(2, 2\)"),
+        ([1, 2], np.inf, ValueError, r"an array of shape \(N, 3\) or \(3,\), got \(2,\)"),
+        (np.zeros((2, 2)), np.inf, ValueError, r"got \(2, 2\)"),
         ([1, 2, np.nan], np.inf, ValueError, "finite"),
         ([1, 2, 1e300], np.inf, ValueError, r"points_world\[0\].*beyond 1e6 m"),
         (["a", "b", "c"], np.inf, TypeError, "real numbers"),
@@ -192,7 +192,7 @@ def test_missions_that_can_not_be_are_refused(world: avoidbench.World) -> None:
 def test_cameras_that_look_at_themselves_are_refused() -> None:
     with pytest.raises(ValueError, match=r"targets_world\[1\] is where its camera is"):
         avoidbench.look_at(np.zeros((2, 3)), [[1, 0, 0], [0, 0, 0]])
-    with pytest.raises(ValueError, match="not 2 and 3"):
+    with pytest.raises(ValueError, match="got 2 and 3"):
         avoidbench.look_at(np.zeros((2, 3)), np.ones((3, 3)))
 
 

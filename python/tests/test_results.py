@@ -337,7 +337,7 @@ def test_files_that_are_no_results(tmp_path: Path, copy_db: Path) -> None:
         avoidbench.read(tmp_path)
     text = tmp_path / "text.db"
     text.write_text("sweep: tiny\n" * 500)
-    with pytest.raises(avoidbench.ResultsError, match="no SQLite file"):
+    with pytest.raises(avoidbench.ResultsError, match="not an SQLite file"):
         avoidbench.read(text)
     empty = tmp_path / "empty.db"
     empty.touch()
@@ -367,10 +367,10 @@ def test_trials_that_are_not_there(tiny: avoidbench.Results, odd: avoidbench.Res
     key = tiny.trials["trial_key"][0]
     for wrong, message in (
         ("ffffffff", "no trial whose key begins with 'ffffffff'"),
-        (key[:3], "is no trial"),
-        (key[:8] + "%", "is no trial"),
-        (key.upper(), "is no trial"),
-        ("", "is no trial"),
+        (key[:3], "is not a trial"),
+        (key[:8] + "%", "is not a trial"),
+        (key.upper(), "is not a trial"),
+        ("", "is not a trial"),
         (99, "no trial with trial_id 99"),
     ):
         with pytest.raises(avoidbench.ResultsError, match=message):

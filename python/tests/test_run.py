@@ -109,7 +109,7 @@ def test_what_is_wrong_has_its_place(tmp_path: Path) -> None:
         avoidbench.run("quick", set={"maps.foo": 2}, progress=False)
     with pytest.raises(avoidbench.ProgramError, match="--jobs"):
         avoidbench.run("quick", jobs=-1, progress=False)
-    with pytest.raises(TypeError, match="can't be said in a sweep"):
+    with pytest.raises(TypeError, match="can't be used in a sweep"):
         avoidbench.run({**SHORT, "seed": object()}, progress=False)
     with pytest.raises(ValueError, match="not JSON compliant"):
         avoidbench.run("quick", set={"trials": float("nan")}, progress=False)
@@ -185,8 +185,8 @@ def test_an_interrupt_keeps_what_was_flown(tmp_path: Path, is_whole_group: bool)
         python.send_signal(signal.SIGINT)
     out, err = python.communicate(timeout=60)
     assert python.returncode == 0, err
-    assert "interrupted: stopped; all that was flown is kept" in out
-    assert "stopped; run the same command again to go on" in err and "ended at once" not in err
+    assert "interrupted: stopped; finished trials are kept" in out
+    assert "stopped; run the same command again to resume" in err and "ended at once" not in err
     assert not Path(f"/proc/{programs[0]}").exists()
     assert not Path(f"{database}-wal").exists()
     kept = avoidbench.read(database)
@@ -214,7 +214,7 @@ def test_a_second_interrupt_ends_at_once(tmp_path: Path) -> None:
         assert python.poll() is None
     python.send_signal(signal.SIGINT)
     out, _ = python.communicate(timeout=60)
-    assert python.returncode == 0 and "interrupted: stopped; all that was flown is kept" in out
+    assert python.returncode == 0 and "interrupted: stopped; finished trials are kept" in out
     assert not Path(f"/proc/{program}").exists()
     assert len(avoidbench.read(database).trials) >= 1
 
@@ -278,7 +278,7 @@ def test_where_the_program_is_looked_for(tmp_path: Path, monkeypatch: pytest.Mon
     monkeypatch.setenv("AVOIDBENCH_PROGRAM", str(own))
     assert find_program() == own
     own.chmod(0o644)
-    with pytest.raises(avoidbench.ProgramError, match="AVOIDBENCH_PROGRAM=.*own: no program there"):
+    with pytest.raises(avoidbench.ProgramError, match="AVOIDBENCH_PROGRAM=.*own: there is no executable program"):
         find_program()
 
 
@@ -286,7 +286,7 @@ def test_where_the_program_is_looked_for(tmp_path: Path, monkeypatch: pytest.Mon
     ("script", "message", "exit_code"),
     [
         ("kill -SEGV $$\n", "avoidbench run was ended by SIGSEGV", -signal.SIGSEGV),
-        ("exit 7\n", "ended with exit code 7 and said nothing", 7),
+        ("exit 7\n", "ended with exit code 7 and printed no message", 7),
         ("echo 'warning: w' >&2; echo 'it broke' >&2; exit 3\n", "^it broke$", 3),
         ("echo '{\"done\": 1}' >&2; exit 75\n", "done", 75),
         ("exit 0\n", "did not say where its results are", None),

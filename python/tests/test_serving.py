@@ -75,7 +75,7 @@ def test_a_filter_in_python_passes_commands_on_or_changes_them(tmp_path: Path) -
     assert flights["straight_line", "passes"] == flights["straight_line", "alone"]
     assert flights["ego", "passes"] == flights["ego", "alone"]
     assert flights["straight_line", "halves"][1] < 0.7 * flights["straight_line", "alone"][1]
-    with pytest.raises(ProgramError, match="mine is a filter and flies above a planner only"):
+    with pytest.raises(ProgramError, match="mine is a filter and flies only on top of a planner"):
         avoidbench.run({**HALL, "planners": [str(tmp_path / "passes.py")]}, database=tmp_path / "none.db")
 
 

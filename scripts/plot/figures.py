@@ -1,4 +1,4 @@
-"""The figures: each a function of a section of the report and of the sweep's trials."""
+"""The figures. Each is a function of a report section and the sweep's trials."""
 
 import dataclasses
 
@@ -14,7 +14,7 @@ TRAVERSABILITY_LABEL = "normalised traversability"
 class Metric:
     name: str  # column of the report
     column: str  # of the trials
-    file: str  # of its figure; "" where it has none of its own
+    file: str  # of its figure; "" without a separate figure
     label: str  # of its axis
 
 
@@ -47,7 +47,7 @@ def draw(section, trials, wanted):
     """Yields (file name, figure) of those `wanted` that the sweep has: groups and pairs need two maps, two planners."""
     tables = section["tables"]
     if tables.get("limits"):
-        # Its trials lie at other values for each planner: rates and means of all say nothing.
+        # Its trials are at other values for each planner: rates and means over all are meaningless.
         if "limit_curve" in wanted:
             yield "limit_curve", limit_curve(section)
         return
@@ -162,7 +162,7 @@ def plain_number(value, _=None):
 
 
 def log_ticks(axis, low, high):
-    """Marks at 1, 2, 5 × 10ⁿ, written out; fewer where the range is wide."""
+    """Marks at 1, 2, 5 × 10ⁿ, written out; fewer for a wide range."""
     decades = numpy.log10(high / low)
     steps = (1, 2, 5) if decades < 1.7 else (1, 3) if decades < 2.6 else (1,)
     first, last = int(numpy.floor(numpy.log10(low))) - 1, int(numpy.ceil(numpy.log10(high))) + 1
@@ -294,7 +294,7 @@ def traversability_by_gap(maps):
 
 
 def metric_by_traversability(axes, metric, groups, trials, planners):
-    """7: small the mean of each map, and the report's means of the groups of maps as a line."""
+    """7: each map's mean as a small mark, and the report's means of the groups of maps as a line."""
     drawn = []
     for planner in planners:
         look = style.looks(planners)[planner]

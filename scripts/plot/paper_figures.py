@@ -4,8 +4,8 @@
 usage: paper_figures.py DB… --output FOLDER [--sweep NAME] [--program avoidbench] [--formats pdf,png] [--figures NAME,…]
 
 Every number comes from the program: rates, means and intervals from `avoidbench report --format json`, single trials
-and maps from `avoidbench export trials`. Of each sweep, FOLDER/SWEEP/ gets these figures, one column (3.5 in) wide, as
-PDF and PNG; the same results give the same bytes:
+and maps from `avoidbench export trials`. For each sweep, FOLDER/SWEEP/ gets these figures, one column (3.5 in) wide, as
+PDF and PNG. The same results give the same bytes:
 
   speed_curve                  share of missions completed with at least a goal velocity, and v90 of each planner
   success_by_traversability    6a: success rate by group of maps, with Wilson's 95 % intervals
@@ -15,7 +15,7 @@ PDF and PNG; the same results give the same bytes:
                                7: a metric against traversability: means of maps (small) and of groups (line)
   metrics                      all of these and the success rate, two columns (7.16 in) wide
 
-Of a sweep that looks for a limit (`avoidbench limit`) there is one figure instead:
+For a limit search (`avoidbench limit`) there is one figure instead:
 
   limit_curve                  success rate as the field changes: fitted curves with 95 % intervals, and the trials
 """
@@ -46,7 +46,7 @@ import style  # noqa: E402
 
 
 def output_of(command):
-    """What the program writes on standard output. Its messages go on to ours, and end this program where it fails."""
+    """The program's standard output. Its messages go to our stderr; if it fails, this program exits."""
     try:
         done = subprocess.run(command, stdout=subprocess.PIPE, check=False)
     except OSError as error:
@@ -57,7 +57,7 @@ def output_of(command):
 
 
 def read_results(arguments):
-    """The report's sections, and one table of all trials."""
+    """The report's sections and one table of all trials."""
     choice = ["--sweep", arguments.sweep] if arguments.sweep else []
     databases = [str(file) for file in arguments.databases]
     report = output_of(
@@ -70,7 +70,7 @@ def read_results(arguments):
 
 
 def with_report_labels(trials):
-    """The trials with planners named as the report names them: two that share a label have the start of their key."""
+    """The trials with the report's planner names: if two share a label, the start of their key is added."""
     key_count = trials.groupby("planner")["planner_key"].transform("nunique")
     is_shared = key_count > 1
     trials = trials.copy()
@@ -79,7 +79,7 @@ def with_report_labels(trials):
 
 
 def safe_file_name(text):
-    """A folder's name made of a sweep's: never a path, hidden, or an option. As safe_file_name of
+    """A folder name from a sweep's name: never a path, hidden, or an option. The same as safe_file_name in
     lib/base/base/output_file.hpp."""
     name = re.sub(r"^[.-]", "_", re.sub(r"[^A-Za-z0-9_.-]", "_", text))
     if name == text and 0 < len(name) <= 100:
@@ -94,7 +94,7 @@ def main():
     parser.add_argument(
         "--sweep", default="", help="only this sweep; NAME@2 for its revision 2 (default: all, the latest revisions)"
     )
-    parser.add_argument("--program", default="avoidbench", help="avoidbench itself (default: the one on the PATH)")
+    parser.add_argument("--program", default="avoidbench", help="the avoidbench program (default: from PATH)")
     parser.add_argument("--formats", default="pdf,png", help="pdf, png or svg, separated by commas (default: pdf,png)")
     parser.add_argument("--figures", default=",".join(figures.names()), help="only these, separated by commas")
     arguments = parser.parse_args()

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""ppo_curve.py FOLDER PICTURE: draws how python/examples/ppo.py learned, from the curve.csv and evaluation.json that it
-wrote there."""
+"""ppo_curve.py FOLDER PICTURE: draws the learning curve of python/examples/ppo.py, from its files curve.csv and
+evaluation.json in FOLDER."""
 
 import csv
 import json

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Draws how sensors' errors change with a value, from `avoidbench sensors measure … --over PATH=VALUES --format csv`.
+"""Draws sensors' errors as a value changes, from `avoidbench sensors measure … --over PATH=VALUES --format csv`.
 
 usage: sensor_errors.py ERRORS.csv FIGURE.png|pdf|svg
 
-Three panels over the value: valid pixels, disparity errors beyond 1 px, and the deviation of the others, away from
-edges."""
+Three panels over the value: valid pixels, disparity errors beyond 1 px, and the deviation of the others. Pixels near
+edges are left out."""
 
 import argparse
 import pathlib

@@ -1,4 +1,4 @@
-"""How the figures look: for print, one column wide, told apart without colours."""
+"""The figures' style: for print, one column wide, distinguishable without colours."""
 
 import matplotlib
 import matplotlib.pyplot as pyplot
@@ -6,8 +6,8 @@ import matplotlib.pyplot as pyplot
 COLUMN_IN, PAGE_IN = 3.5, 7.16  # widths of a column and of a page in IEEE's and most journals' layouts
 FONT_PT, SMALL_PT = 8.0, 7.0
 
-# Okabe and Ito (2008): colours that colour-blind people tell apart, with markers and line styles that need no colour. A
-# planner has the same one in pages (apps/page/src/data.ts).
+# Okabe and Ito (2008): colours that colour-blind people can distinguish, with markers and line styles that need no
+# colour. A planner has the same colour in pages (apps/page/src/data.ts).
 _COLOURS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000"]
 _MARKERS = ["o", "s", "^", "D", "v", "P", "X", "<", ">"]
 _LINES = ["-", (0, (5, 1.5)), (0, (1, 1.2)), (0, (5, 1.5, 1, 1.5)), (0, (3, 1, 1, 1, 1, 1))]
@@ -45,7 +45,7 @@ _SETTINGS = {
     "figure.constrained_layout.use": True,
     "figure.constrained_layout.h_pad": 0.02,
     "figure.constrained_layout.w_pad": 0.02,
-    "pdf.fonttype": 42,  # fonts as text: what publishers ask for
+    "pdf.fonttype": 42,  # fonts as text, as publishers require
     "svg.hashsalt": "avoidbench",
     "savefig.dpi": 300,
 }
@@ -76,7 +76,7 @@ def looks(planners):
 
 
 def shortened(label, most=24):
-    """The label with its middle cut out where it is longer: planners of a sweep often differ at the end."""
+    """The label with its middle cut out if it is too long: planners of a sweep often differ at the end."""
     if len(label) <= most:
         return label
     head = (most - 1) // 2
@@ -95,7 +95,7 @@ def shown(label):
 
 
 def column_figure(height_in, planners=()):
-    """A figure one column wide; higher where the legend of `planners` takes more than one line."""
+    """A figure one column wide; higher if the legend of `planners` takes more than one line."""
     return pyplot.subplots(figsize=(COLUMN_IN, height_in + 0.14 * (legend_shape(planners, COLUMN_IN)[0] - 1)))
 
 
@@ -106,7 +106,7 @@ def page_figure(rows, columns, height_in):
 
 
 def legend_shape(planners, width_in, has_lines=True):
-    """Rows and columns of a legend that is at most so wide."""
+    """Rows and columns of a legend of at most this width."""
     if not planners:
         return 1, 0
     longest = max(len(shortened(name)) for name in planners)
@@ -128,7 +128,7 @@ def planner_legend(target, planners, width_in, has_lines=True):
     rows, columns = legend_shape(planners, width_in, has_lines)
     options = {"handles": handles, "ncol": columns, "handlelength": 2.4 if has_lines else 1.0}
     if isinstance(target, matplotlib.figure.Figure):
-        # constrained_layout keeps no room for a figure's legend: an empty title does.
+        # constrained_layout reserves no space for a figure's legend: an empty title does.
         target.suptitle("\n" * (rows - 1) + " ", fontsize=1.3 * FONT_PT)
         return target.legend(loc="upper center", bbox_to_anchor=(0.5, 0.995), **options)
     return target.legend(loc="lower center", bbox_to_anchor=(0.5, 1.02), **options)

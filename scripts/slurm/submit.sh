@@ -6,16 +6,16 @@ usage() {
   cat <<'END'
 usage: scripts/slurm/submit.sh [OPTION…] SWEEP N [-- SBATCH OPTION…]
 
-Submits SWEEP (a YAML file) as a job array of N shards and, after it, a job that merges them into one database. What is
-after -- goes to sbatch for both jobs. Prints what it submits.
+Submits SWEEP (a YAML file) as a job array of N shards and a job that merges them afterwards into one database. Options
+after -- go to sbatch for both jobs. Prints what it submits.
 
   --out FILE        the merged database [results/<name of the sweep file>.db]
-  --folder FOLDER   where finished shards go, seen by all nodes [<FILE without .db>.shards]
-  --elements LIST   submit these elements only, as 3,7-9: those that a former array lost [1-N]
-  --cpus COUNT      CPUs, and so worker processes, of an element [1]
-  --time LIMIT      time limit of an element; one that reaches it saves what it has and queues again [1:00:00]
+  --folder FOLDER   for finished shards, shared by all nodes [<FILE without .db>.shards]
+  --elements LIST   submit only these elements, such as 3,7-9: those that an earlier array lost [1-N]
+  --cpus COUNT      CPUs, and so worker processes, per element [1]
+  --time LIMIT      time limit per element; at the limit it saves its flights and queues again [1:00:00]
   --program FILE    avoidbench [the one in PATH, else build/release/avoidbench]
-  --run-options S   further options of `avoidbench run`, as "--set trials=20 --plan-timeout 20"
+  --run-options S   more options for `avoidbench run`, such as "--set trials=20 --plan-timeout 20"
   --dry-run         print, submit nothing
   --help
 
@@ -54,14 +54,14 @@ sbatch_options=("$@")
 [ ${#words[@]} -eq 2 ] || { usage >&2; exit 2; }
 sweep=${words[0]} count=${words[1]}
 [ -f "$sweep" ] || fail "no file $sweep"
-[[ $count =~ ^[1-9][0-9]*$ ]] || fail "N is a number of shards, not '$count'"
-[[ $cpus =~ ^[1-9][0-9]*$ ]] || fail "--cpus is a number, not '$cpus'"
+[[ $count =~ ^[1-9][0-9]*$ ]] || fail "N must be a number of shards, not '$count'"
+[[ $cpus =~ ^[1-9][0-9]*$ ]] || fail "--cpus needs a number, not '$cpus'"
 if [ -z "$program" ]; then program=$(command -v avoidbench || echo "$here/../../build/release/avoidbench"); fi
-[ -x "$program" ] || fail "no program $program; name it by --program"
+[ -x "$program" ] || fail "no program $program; give it with --program"
 [ -n "$out" ] || out=results/$(basename "${sweep%.*}").db
 [ -n "$folder" ] || folder=${out%.db}.shards
 
-# All wrong input is told now, not by N jobs.
+# Report wrong input now, not in N jobs.
 "$program" config check "$sweep" >/dev/null
 
 absolute() { realpath -m "$1"; }

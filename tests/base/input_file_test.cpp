@@ -65,7 +65,7 @@ TEST_F(InputFileTest, FilesOfTheKernelHaveNoSizeBeforehand) {
 }
 
 TEST_F(InputFileTest, RefusesWhatMayHaveNoEnd) {
-  const std::string not_regular = ", not a regular file: write what it gives to a file first";
+  const std::string not_regular = ", not a regular file: write its output to a file first";
   EXPECT_EQ(problem_of("/dev/zero"), "is a device" + not_regular);
   EXPECT_EQ(problem_of("/dev/null"), "is a device" + not_regular);
   const fs::path pipe = folder_ / "pipe";

@@ -28,7 +28,7 @@ TEST_F(OutputFile, IsNoDatabaseWhateverItsName) {
 TEST_F(OutputFile, IsNoPartOfADatabase) {
   folder.write("x.db", "SQLite format 3");
   for (const char* part : {"x.db-wal", "x.db-shm", "x.db-journal"}) {
-    EXPECT_NE(refusal(part).find("a part of the database beside it"), std::string::npos) << part;
+    EXPECT_NE(refusal(part).find("part of the database next to it"), std::string::npos) << part;
     folder.write(part, "rows");
     EXPECT_THROW(open_output(folder / part), InputError) << part;
   }

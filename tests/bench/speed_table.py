@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Writes docs/speed.md: what images, trials, maps and the database cost on this machine, each beside a reference
-measured with it.
+"""Writes docs/speed.md: the time of images, trials, maps and the database on this machine, each with a reference
+measured in the same run.
 
     tests/bench/speed_table.py [BUILD FOLDER, build/release] [--rounds 5] [--out docs/speed.md]
 
@@ -189,10 +189,10 @@ def page(figures, write_ms, rounds):
         date=datetime.date.today().isoformat(),
         cpu=cpu,
         rounds="one round" if rounds == 1 else f"medians of {rounds} rounds",
-        depth=table(["map", "pixels", "ms", "million rays/s", "of the bare loop"], depth_rows(figures)),
+        depth=table(["map", "pixels", "ms", "million rays/s", "ratio to the bare loop"], depth_rows(figures)),
         camera=table(["sensor", "hall: ms", "× true depth", "forest: ms", "× true depth"], camera_rows(figures)),
         trial=table(
-            ["map", "pixels", "× real time", "bare loop %", "images %", "planner %", "rest %", "rest, ms an image"],
+            ["map", "pixels", "× real time", "bare loop %", "images %", "planner %", "rest %", "rest, ms per image"],
             trial_rows(figures),
         ),
         sensor=table(

@@ -35,6 +35,7 @@ COMMANDS = {
     "export trajectory": [("export trajectory db.db 1 @", {"--output": "v.csv"})],
     "export trials": [("export trials db.db @", {"--output": "v.csv"})],
     "import": [("import nothing.yaml @", {"--output": "v.sqlite", "--twin": "v.yaml"})],
+    "grade": [("grade nothing @", {"--output": "v.sqlite"})],
     "limit": [
         (
             "limit sweep.yaml --db other.db --over latency.ms=0..400 --quiet @",

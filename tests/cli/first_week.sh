@@ -22,7 +22,7 @@ expect 'results are in results/quick.db' run.txt
 avoidbench report >report.txt
 expect 'mbplanner' report.txt
 avoidbench run "${few[@]}" 2>again.txt
-expect 'were there already' again.txt
+expect 'are already in the database' again.txt
 
 step "Tuesday: a planner of one's own, by what \`planners new\` says"
 avoidbench planners new swift >next.txt

@@ -125,12 +125,12 @@ TEST(TrialTable, DamagedCsvIsToldWithItsLine) {
   EXPECT_NE(error_with("reached_goal", "reached_gaol").find("t.csv:7: outcome: 'reached_gaol'"),
             std::string::npos)
       << error_with("reached_goal", "reached_gaol");
-  EXPECT_NE(error_with("0.1,", "0.1x,").find("'0.1x' is no such number"), std::string::npos);
+  EXPECT_NE(error_with("0.1,", "0.1x,").find("'0.1x' is not a valid number"), std::string::npos);
   EXPECT_NE(error_with(",outcome,", ",result,").find("columns"), std::string::npos);
   EXPECT_NE(error_with("%,less", "%,fewer").find("t.csv:4: a metric is"), std::string::npos);
   EXPECT_NE(test::message_of([&] {
               table_of_csv(csv + csv.substr(csv.rfind('\n', csv.size() - 2) + 1), "t.csv");
-            }).find("is there twice"),
+            }).find("is listed twice"),
             std::string::npos);
   EXPECT_NE(test::message_of([&] {
               table_of_csv(csv.substr(0, csv.find("\na,")), "t.csv");

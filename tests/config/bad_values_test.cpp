@@ -38,7 +38,7 @@ std::vector<BadValue> bad_numbers(const FieldTree& field) {
 std::vector<BadValue> bad_values(const FieldTree& field) {
   if (is_number(field)) return bad_numbers(field);
   if (field.kind == FieldKind::choice)
-    return {{"no_such_word", 0, "", "is none of"}, {"7", 0, "", "is none of"}};
+    return {{"no_such_word", 0, "", "is not one of"}, {"7", 0, "", "is not one of"}};
   if (field.kind == FieldKind::truth)
     return {{"maybe", 0, "", "expected"}, {"7", 0, "", "expected"}};
   if (field.kind != FieldKind::list || !is_number(field.fields.front())) return {};
@@ -148,7 +148,7 @@ TEST_F(BadValues, OfWholeBlocksHaveTheirPlace) {
       {"axes: {tracks.rate_hz: [1, 0]}", "s.yaml:3:28: tracks.rate_hz: 0 is outside"},
       {"axes: {movers.cuont: [1, 0]}", "s.yaml:3:8: movers.cuont: unknown key"},
       {"axes: {mission.goal_motion.path: [circle, square]}",
-       "s.yaml:3:43: mission.goal_motion.path: \"square\" is none of"},
+       "s.yaml:3:43: mission.goal_motion.path: \"square\" is not one of"},
       {"movers: {count: 3}\nmovers: {count: 4}", "s.yaml:4:1: "},
   };
   for (const auto& [text, problem] : cases) {

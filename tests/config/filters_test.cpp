@@ -65,10 +65,10 @@ TEST_F(Filters, EachOfItsValuesFliesWithEachOfThePlanners) {
 
 TEST_F(Filters, ProblemsHaveTheirPlace) {
   EXPECT_EQ(problem("careful"),
-            "s.yaml:2:12: planners[0]: careful is a filter and flies above a planner only: write "
-            "{plugin: PLANNER, filter: careful}");
+            "s.yaml:2:12: planners[0]: careful is a filter and flies only on top of a planner: "
+            "write {plugin: PLANNER, filter: careful}");
   EXPECT_EQ(problem("{plugin: tunable, filter: one_camera}"),
-            "s.yaml:2:38: planners[0].filter: one_camera is no filter: it does not declare "
+            "s.yaml:2:38: planners[0].filter: one_camera is not a filter: it does not declare "
             "AB_INPUT_COMMAND");
   EXPECT_EQ(problem("{plugin: fast, filter: careful}"),
             "s.yaml:2:35: planners[0].filter: filter careful does not take all commands of fast: "

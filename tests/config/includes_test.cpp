@@ -165,7 +165,7 @@ TEST_F(Includes, OfAFileThatIsNoPartOfASweepNothingIsQuoted) {
       return all.starts_with("./") ? all.substr(2) : all;
     };
     const std::string expected = ":1:1: expected a mapping (name: value), found ";
-    EXPECT_EQ(of("shadow"), "shadow" + expected + "a key that is no name");
+    EXPECT_EQ(of("shadow"), "shadow" + expected + "a key that is not a name");
     EXPECT_EQ(of("twice"), "twice:2:1: this key is given twice, first in line 1");
     EXPECT_EQ(of("text"), "text" + expected + "text");
   }
@@ -173,12 +173,12 @@ TEST_F(Includes, OfAFileThatIsNoPartOfASweepNothingIsQuoted) {
 
 TEST_F(Includes, CirclesAndTooManyFilesAreRefused) {
   EXPECT_EQ(problems("include: s.yaml\n"),
-            "s.yaml:1:10: include: leads in a circle: s.yaml → s.yaml");
+            "s.yaml:1:10: include: includes itself: s.yaml → s.yaml");
   write("a.yaml", "include: sub/../b.yaml\n");
   write("b.yaml", "\ninclude: [a.yaml]\n");
   std::filesystem::create_directories(folder_ / "sub");
   EXPECT_EQ(problems("include: a.yaml\n"),
-            "b.yaml:2:11: include: leads in a circle: s.yaml → a.yaml → b.yaml → a.yaml");
+            "b.yaml:2:11: include: includes itself: s.yaml → a.yaml → b.yaml → a.yaml");
   for (int i = 0; i < 12; ++i) {
     const std::string next = "n" + std::to_string(i + 1) + ".yaml";
     write("n" + std::to_string(i) + ".yaml", "include: [" + next + ", " + next + "]\n");

@@ -38,15 +38,15 @@ TEST_F(MapFiles, WhatIsWrongIsReportedWithItsPlace) {
   const std::string digest = file_digest(write("a.obj", "v 0 0 0\n").string());
   EXPECT_EQ(problems(sweep_of("  file: none.obj\n")), "s.yaml:5:9: maps.file: no file none.obj");
   EXPECT_EQ(problems(sweep_of("  file: .\n")),
-            "s.yaml:5:9: maps.file: is no plain file: \n"
-            "s.yaml:5:9: maps.file: '' is none of obj, ply, stl, glb, gltf");
+            "s.yaml:5:9: maps.file: is not a regular file: \n"
+            "s.yaml:5:9: maps.file: '' is not one of obj, ply, stl, glb, gltf");
   EXPECT_EQ(problems(sweep_of("  file: a.obj\n  file_digest: 00\n")),
             "s.yaml:6:16: maps.file_digest: is not that of a.obj, " + digest);
   EXPECT_EQ(problems(sweep_of("  file: a.obj\n  file_digest: " + digest + "\n")), "");
   EXPECT_EQ(problems(sweep_of("  file: a.obj\n  seeds: [1, 2]\n")),
             "s.yaml:6:10: maps.seeds: a map from a file is the same for every seed; leave one");
   EXPECT_EQ(problems(sweep_of("  file: a.obj\n  up_axis: w\n")),
-            "s.yaml:6:12: maps.up_axis: \"w\" is none of z, y, x (did you mean z?)");
+            "s.yaml:6:12: maps.up_axis: \"w\" is not one of z, y, x (did you mean z?)");
   EXPECT_EQ(problems(sweep_of("  file: a.obj\n  scale: 0\n")),
             "s.yaml:6:10: maps.scale: 0 is outside [1e-06, 1000000]");
   EXPECT_EQ(problems(sweep_of("  file: a.pcd\n")).substr(0, 23), "s.yaml:5:9: maps.file: ");

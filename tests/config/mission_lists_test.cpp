@@ -111,13 +111,11 @@ TEST_F(MissionLists, PlannersThatSeeOneGoalAreRefusedSeveral) {
 }
 
 TEST_F(MissionLists, RulesThatContradictEachOtherAreRefused) {
-  EXPECT_EQ(
-      problems(kSweepHead + "mission: {waypoints: 1, list: [{start: [1, 2, 3], goal: [1, 9, "
-                            "3]}]}\n"),
-      "s.yaml:3:22: mission.waypoints: means nothing for missions that are listed: list their "
-      "goals");
+  EXPECT_EQ(problems(kSweepHead + "mission: {waypoints: 1, list: [{start: [1, 2, 3], goal: [1, 9, "
+                                  "3]}]}\n"),
+            "s.yaml:3:22: mission.waypoints: has no effect on listed missions: list their goals");
   EXPECT_EQ(problems(kSweepHead + "mission: {goal_motion: {path: line}, return_to_start: true}\n"),
-            "s.yaml:3:55: mission.return_to_start: the last goal is the start then, which can't "
+            "s.yaml:3:55: mission.return_to_start: the last goal is then the start, which can't "
             "move: leave it out, or mission.goal_motion");
   EXPECT_EQ(problems(kSweepHead + "mission: {waypoints: 101}\n"),
             "s.yaml:3:22: mission.waypoints: 101 is outside [0, 100]");
@@ -130,8 +128,8 @@ TEST_F(MissionLists, TrialsTakeTheFirstOfEachMap) {
   EXPECT_EQ(read(kSweepHead + list).trials, 2);
   EXPECT_EQ(read(kSweepHead + list, {"trials=1"}).trials, 1);
   EXPECT_EQ(problems(kSweepHead + list + "trials: 3\n"),
-            "s.yaml:5:9: trials: 3 is more than the 2 missions that are listed; left out, all are "
-            "flown");
+            "s.yaml:5:9: trials: 3 is more than the 2 missions that are listed; without it, all "
+            "are flown");
   TrialSpec trial = read(kSweepHead + list).base;
   const std::vector<ListedMission> listed = read(kSweepHead + list).missions;
   EXPECT_EQ(missions_of(listed, trial).size(), 2U);
@@ -171,7 +169,7 @@ TEST_F(MissionLists, ProblemsOfAListHaveTheirPlace) {
       {"mission: {list: [{start: [1, 2, 3]}]}",
        "s.yaml:3:18: mission.list[0]: lacks 'goal': [x, y, z] in metres"},
       {"mission: {list: [{start: [1, 2, 3], goal: [1, 2, 3], goals: [[1, 2, 3]]}]}",
-       "s.yaml:3:61: mission.list[0].goals: there is 'goal' too"},
+       "s.yaml:3:61: mission.list[0].goals: 'goal' is given too"},
       {"mission: {list: [{start: [1, 2, 3], goals: []}]}",
        "s.yaml:3:44: mission.list[0].goals: expected at least one place, [x, y, z] in metres"},
       {"mission: {list: [{start: [1, 2, 3], goals: [[1, 2, 3], [4, 5]]}]}",
@@ -180,10 +178,11 @@ TEST_F(MissionLists, ProblemsOfAListHaveTheirPlace) {
        "s.yaml:3:18: mission.list[0]: expected a mapping (name: value), found \"7\""},
       {"mission: {file: none.csv}", "s.yaml:3:17: mission.file: none.csv: no such file"},
       {"mission: {list: [{start: [1, 2, 3], goal: [1, 9, 3]}], file: x.csv}",
-       "s.yaml:3:62: mission.file: there is mission.list too"},
+       "s.yaml:3:62: mission.file: mission.list is given too"},
       {"axes: {mission.list: [1, 2]}",
        "s.yaml:3:8: axes.mission.list: all missions are flown for each setting"},
-      {"axes: {missions_digest: [a, b]}", "s.yaml:3:8: axes.missions_digest: the program fills it"},
+      {"axes: {missions_digest: [a, b]}",
+       "s.yaml:3:8: axes.missions_digest: the program fills it in"},
   };
   for (const auto& [text, problem] : cases) EXPECT_EQ(problems(kSweepHead + text), problem) << text;
 }
@@ -192,7 +191,7 @@ TEST_F(MissionLists, ProblemsOfATableHaveTheirPlace) {
   const std::pair<std::string, const char*> cases[] = {
       {"", "s.yaml:3:17: mission.file: missions.csv lists no mission"},
       {kColumns, "s.yaml:3:17: mission.file: missions.csv lists no mission"},
-      {"start_x_m;start_y_m\n", "missions.csv:1:1: columns must be parted by commas"},
+      {"start_x_m;start_y_m\n", "missions.csv:1:1: columns must be separated by commas"},
       {kColumns + ",1,2,3,4,5\n", "missions.csv:2:1: 6 fields, but 8 columns"},
       {kColumns + ",1,2,3,4,5,,\n", "missions.csv:2:12: goal_z_m: expected a number, found \"\""},
       {kColumns + "\n,1,2, 3m,4,5,6,\n",

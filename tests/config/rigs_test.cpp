@@ -51,7 +51,8 @@ TEST_F(Rigs, TheRigThatComesAlongIsGood) {
 TEST_F(Rigs, ProblemsOfACameraHaveTheirPlace) {
   const std::pair<const char*, const char*> cases[] = {
       {"sensor: {more_cameras: [d435_lik]}",
-       "s.yaml:3:25: sensor.more_cameras[0]: \"d435_lik\" is no sensor (did you mean d435_like?); "
+       "s.yaml:3:25: sensor.more_cameras[0]: \"d435_lik\" is not a sensor (did you mean "
+       "d435_like?); "
        "known: d435_like, depth_ideal, depth_noisy, oak_d_like, stereo_original, stereo_sgbm, "
        "stereo_sgm, surround"},
       {"sensor: {more_cameras: [{widht_px: 3}]}",
@@ -70,19 +71,18 @@ TEST_F(Rigs, ProblemsOfACameraHaveTheirPlace) {
       {"sensor: {more_cameras: [{rate_hz: 900, exposure_ms: 0}]}\nrates: {physics_hz: 500}",
        "s.yaml:3:35: sensor.more_cameras[0].rate_hz: 900 Hz is faster than rates.physics_hz, 500"},
       {"sensor: {more_cameras: [mid360_like]}",
-       "s.yaml:3:25: sensor.more_cameras[0]: \"mid360_like\" is no sensor"},
+       "s.yaml:3:25: sensor.more_cameras[0]: \"mid360_like\" is not a sensor"},
       {"sensor: {kind: none}", "s.yaml:3:9: sensor.lidars: a sensor of kind none has lidars"},
       {"sensor: {kind: none, lidars: [mid360_like]}",
        "s.yaml:3:9: sensor.name: reports would call these lidars 'depth_ideal', which is a camera: "
        "give the sensor a name"},
       {"sensor: {lidars: [mid360_lik]}",
-       "s.yaml:3:19: sensor.lidars[0]: \"mid360_lik\" is no sensor (did you mean mid360_like?); "
+       "s.yaml:3:19: sensor.lidars[0]: \"mid360_lik\" is not a sensor (did you mean mid360_like?); "
        "known: mid360_like, ouster_os0_32, velodyne_16"},
       {"sensor: {preset: mid360_like, rate_hz: 20}",
-       "s.yaml:3:40: sensor.rate_hz: is of a camera, and a sensor of kind none has none; of a "
-       "lidar "
-       "it is given as in sensor: {preset: mid360_like, lidars: [{preset: mid360_like, rate_hz: "
-       "…}]}"},
+       "s.yaml:3:40: sensor.rate_hz: belongs to a camera, and a sensor of kind none has none; for "
+       "a lidar it is given as in sensor: {preset: mid360_like, lidars: [{preset: mid360_like, "
+       "rate_hz: …}]}"},
       {"sensor: {lidars: [{preset: mid360_like, rings: 4}]}",
        "s.yaml:3:41: sensor.lidars[0].rings: unknown key for kind lidar_pattern"},
       {"sensor: {lidars: [{min_range_m: 5, max_range_m: 5}]}",

@@ -139,7 +139,7 @@ TEST_F(SweepFiles, WhatIsNoSettingIsNoAxis) {
       {"sensor: [depth_noisy]", "is a group of fields, not one"},
       {"maps.bounds: [1]", "unknown key"},
       {"planners.label: [a]", "write a planner's parameters as lists in its entry of 'planners'"},
-      {"\"wind.mean_world_mps[0]\": [1]", "elements of lists can't be axes; give whole lists"},
+      {"\"wind.mean_world_mps[0]\": [1]", "elements of lists can't be axes; give complete lists"},
   };
   for (const auto& [axis, expected] : cases) {
     const std::string found = problems(head + axis + "}\n");

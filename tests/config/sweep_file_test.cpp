@@ -162,14 +162,15 @@ TEST_F(SweepFiles, VehiclesAndSensorsComeFromFilesBesideTheSweep) {
   EXPECT_EQ(read(kHead + "vehicle: ./vehicles/heavy.yaml\n").base.vehicle.name, "heavy");
   EXPECT_EQ(
       problems(kHead + "vehicle: hevy\n"),
-      "s.yaml:3:10: vehicle: \"hevy\" is no vehicle (did you mean heavy?); known: agile_quad, "
+      "s.yaml:3:10: vehicle: \"hevy\" is not a vehicle (did you mean heavy?); known: agile_quad, "
       "crazyflie, firefly, heavy, hummingbird, hummingbird_rotors, racing_5in, x500");
   write("vehicles/heavy.yaml", "mas_kg: 0.9\n");
   EXPECT_EQ(problems(kHead + "vehicle: heavy\n"),
             "vehicles/heavy.yaml:1:1: vehicle.mas_kg: unknown key (did you mean mass_kg?)");
   write("vehicles/a.yaml", "preset: b\n");
   write("vehicles/b.yaml", "preset: a\n");
-  EXPECT_NE(problems(kHead + "vehicle: a\n").find("presets lead in a circle"), std::string::npos);
+  EXPECT_NE(problems(kHead + "vehicle: a\n").find("presets refer to each other in a circle"),
+            std::string::npos);
 }
 
 TEST_F(SweepFiles, ContradictionsStandWhereTheirValueDoesAlsoInAPreset) {
@@ -202,7 +203,7 @@ TEST_F(SweepFiles, OverridesChangeAddAndAreChecked) {
             "--set rates.plan_hz=fast: rates.plan_hz: expected a number, found \"fast\"");
   EXPECT_EQ(problems(text, {"trials", "=3", "a..b=1", "planners[7].label=x", "seed=[1"}),
             "--set trials: expected path=value\n--set =3: expected path=value\n"
-            "--set a..b=1: 'a..b' is no dotted path such as maps.poisson_radius_m\n"
+            "--set a..b=1: 'a..b' is not a dotted path such as maps.poisson_radius_m\n"
             "--set planners[7].label=x: planners[7].label: planners has no element 7\n"
             "--set seed=[1: not valid YAML: '[' is never closed by ']'");
 }
@@ -211,14 +212,14 @@ TEST_F(SweepFiles, EachProblemHasItsPlaceAndReason) {
   const std::pair<const char*, std::string> cases[] = {
       {"sweeps: 3", "s.yaml:3:1: sweeps: unknown key (did you mean sweep?)"},
       {"trials: 0", "s.yaml:3:9: trials: 0 is outside [1, 1000000]"},
-      {"maps: {generator: forrest}", "s.yaml:3:19: maps.generator: \"forrest\" is none of " +
+      {"maps: {generator: forrest}", "s.yaml:3:19: maps.generator: \"forrest\" is not one of " +
                                          generators() + " (did you mean forest?)"},
       {"maps: {generator: hal, height_m: 4, corridor_m: 2, hight_m: 4}",
-       "s.yaml:3:19: maps.generator: \"hal\" is none of " + generators() +
+       "s.yaml:3:19: maps.generator: \"hal\" is not one of " + generators() +
            " (did you mean hall?)\n"
            "s.yaml:3:52: maps.hight_m: unknown key (did you mean height_m?)"},
       {"sensor: {kind: stereo_sgn, census_px: 4, paths: 8, disparities: 64}",
-       "s.yaml:3:16: sensor.kind: \"stereo_sgn\" is none of depth_ideal, depth_noisy, "
+       "s.yaml:3:16: sensor.kind: \"stereo_sgn\" is not one of depth_ideal, depth_noisy, "
        "stereo_sgbm, stereo_sgm, none (did you mean stereo_sgm?)\n"
        "s.yaml:3:28: sensor.census_px: unknown key"},
       {"maps: forest", "s.yaml:3:7: maps: expected a mapping (name: value), found \"forest\""},
@@ -238,10 +239,10 @@ TEST_F(SweepFiles, EachProblemHasItsPlaceAndReason) {
       {"movers: {count: -1}", "s.yaml:3:17: movers.count: -1 is outside [0, 2000]"},
       {"movers: {cuont: 3}", "s.yaml:3:10: movers.cuont: unknown key (did you mean count?)"},
       {"movers: {kind: dog}",
-       "s.yaml:3:16: movers.kind: \"dog\" is none of person, box, ball, pole, mixed (did you mean "
-       "box?)"},
+       "s.yaml:3:16: movers.kind: \"dog\" is not one of person, box, ball, pole, mixed (did you "
+       "mean box?)"},
       {"movers: {count: 5, density_1pm2: 0.1}",
-       "s.yaml:3:34: movers.density_1pm2: stands instead of count, and both are given"},
+       "s.yaml:3:34: movers.density_1pm2: replaces count, but both are given"},
       {"movers: {count: 5, speed_mps: [2, 1]}",
        "s.yaml:3:31: movers.speed_mps: the least, 2, is above the greatest, 1"},
       {"tracks: {miss_ratio: 1.5}", "s.yaml:3:22: tracks.miss_ratio: 1.5 is outside [0, 1]"},
@@ -270,7 +271,7 @@ TEST_F(SweepFiles, EachProblemHasItsPlaceAndReason) {
        "stereo_sgbm, "
        "stereo_sgm)"},
       {"sensor: {kind: stereo}",
-       "s.yaml:3:16: sensor.kind: \"stereo\" is none of depth_ideal, depth_noisy, stereo_sgbm, "
+       "s.yaml:3:16: sensor.kind: \"stereo\" is not one of depth_ideal, depth_noisy, stereo_sgbm, "
        "stereo_sgm, none (did you mean stereo_sgbm?)"},
       {"sensor: {more_mountings: [{yaw: 90}]}",
        "s.yaml:3:28: sensor.more_mountings[0].yaw: unknown key (did you mean yaw_deg?)"},
@@ -292,7 +293,7 @@ TEST_F(SweepFiles, EachProblemHasItsPlaceAndReason) {
        "s.yaml:3:8: axes.planner.label: write a planner's parameters as lists in its entry of "
        "'planners'"},
       {"maps: {poisson_radius_m: [3, 4]}\naxes: {maps.poisson_radius_m: [5, 6]}",
-       "s.yaml:4:8: axes.maps.poisson_radius_m: has several values above already"},
+       "s.yaml:4:8: axes.maps.poisson_radius_m: already has several values above"},
   };
   for (const auto& [text, expected] : cases)
     EXPECT_EQ(problems(kHead + text + "\n"), expected) << text;
@@ -328,11 +329,11 @@ TEST_F(SweepFiles, ProblemsOfTheHead) {
             "s.yaml:1:1: lacks 'sweep', the name of the result set\n"
             "s.yaml:1:1: lacks 'planners', the list of planners to compare");
   EXPECT_EQ(problems("sweep: a/b\nplanners: tunable\n"),
-            "s.yaml:1:8: sweep: \"a/b\" is no name of A-Z a-z 0-9 _ . - that begins with a letter, "
-            "digit or _");
+            "s.yaml:1:8: sweep: \"a/b\" is not a name of A-Z a-z 0-9 _ . - that begins with a "
+            "letter, digit or _");
   for (const std::string name : {"..", ".hidden", "-o", "\"a\\eb\"", "\"a\\nb\"", "ü"}) {
     const std::string found = problems("sweep: " + name + "\nplanners: tunable\n");
-    EXPECT_NE(found.find(" is no name of A-Z"), std::string::npos) << found;
+    EXPECT_NE(found.find(" is not a name of A-Z"), std::string::npos) << found;
   }
   EXPECT_EQ(problems("- 1\n"), "s.yaml:1:1: expected a mapping (name: value), found a list");
   EXPECT_EQ(problems("sweep: a\nplanners: []\n"),
@@ -374,9 +375,9 @@ TEST_F(SweepFiles, ProblemsOfPlanners) {
             "s.yaml:3:47: planners[0].parameters.horizon_m: expected a number, found \"far\"");
   EXPECT_EQ(of("{plugin: tunable, parameters: {steps_count: 2.5}}"),
             "s.yaml:3:49: planners[0].parameters.steps_count: 2.5 is not a whole number");
-  EXPECT_EQ(
-      of("{plugin: tunable, parameters: {mode: fst}}"),
-      "s.yaml:3:42: planners[0].parameters.mode: 'fst' is none of safe, fast (did you mean fast?)");
+  EXPECT_EQ(of("{plugin: tunable, parameters: {mode: fst}}"),
+            "s.yaml:3:42: planners[0].parameters.mode: 'fst' is not one of safe, fast (did you "
+            "mean fast?)");
   EXPECT_EQ(of("tunable\n  - tunable"),
             "s.yaml:4:5: planners[1]: the label 'tunable' is that of planners[0]; give one of them "
             "another 'label'");
@@ -442,15 +443,15 @@ TEST_F(SweepFiles, MutatedSweepsNeverCrash) {
 /// What is given and can't mean anything is a contradiction; what a preset or a changed mode leaves
 /// behind is not.
 TEST_F(SweepFiles, GivenValuesThatMeanNothingAreProblems) {
-  EXPECT_EQ(problems(kHead + "latency: {mode: zero, ms: 50}\n"),
-            "s.yaml:3:27: latency.ms: means nothing in mode zero; leave it out, or write mode: "
-            "fixed");
+  EXPECT_EQ(
+      problems(kHead + "latency: {mode: zero, ms: 50}\n"),
+      "s.yaml:3:27: latency.ms: has no effect in mode zero; leave it out, or write mode: fixed");
   EXPECT_EQ(problems(kHead + "latency: {mode: fixed, scale: 2}\n"),
-            "s.yaml:3:31: latency.scale: means nothing in mode fixed; leave it out, or write mode: "
+            "s.yaml:3:31: latency.scale: has no effect in mode fixed; leave it out, or write mode: "
             "measured or replay");
-  EXPECT_EQ(problems(kHead + "latency: {mode: zero}\naxes: {latency.ms: [0, 33]}\n"),
-            "s.yaml:4:20: latency.ms: means nothing in mode zero; leave it out, or write mode: "
-            "fixed");
+  EXPECT_EQ(
+      problems(kHead + "latency: {mode: zero}\naxes: {latency.ms: [0, 33]}\n"),
+      "s.yaml:4:20: latency.ms: has no effect in mode zero; leave it out, or write mode: fixed");
   EXPECT_EQ(problems(kHead + "latency: {mode: [zero, fixed], ms: 50}\n"), "");
   EXPECT_EQ(problems(kHead + "latency: {mode: zero, ms: 33, scale: 1, database: ''}\n"), "");
   EXPECT_EQ(problems(kHead + "latency: {mode: fixed, ms: 50}\n", {"latency.mode=zero"}), "");

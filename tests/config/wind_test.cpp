@@ -36,11 +36,11 @@ TEST_F(WindBlock, WhatIsWrongIsReportedWithItsPlace) {
       "s.yaml:3:25: wind.gust.period_s: shorter than a gust with its jitter (2 rise_s + hold_s "
       "+ start_jitter_s)");
   EXPECT_EQ(problems(kSweep + "wind: {turbulence: {model: drydn}}\n"),
-            "s.yaml:3:28: wind.turbulence.model: \"drydn\" is none of none, mil_f_8785c, given");
+            "s.yaml:3:28: wind.turbulence.model: \"drydn\" is not one of none, mil_f_8785c, given");
   EXPECT_EQ(problems(kSweep + "wind: {kicks: {rate_per_min: -1}}\n"),
             "s.yaml:3:30: wind.kicks.rate_per_min: -1 is outside [0, 6000]");
   EXPECT_EQ(problems(kSweep + "vehicle: {controller: le}\n"),
-            "s.yaml:3:23: vehicle.controller: \"le\" is none of rpg, lee (did you mean lee?)");
+            "s.yaml:3:23: vehicle.controller: \"le\" is not one of rpg, lee (did you mean lee?)");
 }
 
 TEST_F(WindBlock, AFieldsFileIsRelativeToTheSweepAndItsDigestIsFilledIn) {
@@ -58,7 +58,7 @@ TEST_F(WindBlock, AFieldThatIsNoneIsToldBeforeTheFirstTrial) {
   EXPECT_EQ(problems(head + "}}\n"), "s.yaml:3:22: wind.field.file: no file a.txt");
   write("a.txt", "min_x: 0\nmin_y: zero\n");
   EXPECT_EQ(problems(head + "}}\n"),
-            "s.yaml:3:22: wind.field.file: a.txt:2:8: min_y: 'zero' is no finite number");
+            "s.yaml:3:22: wind.field.file: a.txt:2:8: min_y: 'zero' is not a finite number");
   const std::string digest = file_digest(write("a.txt", kField));
   EXPECT_EQ(problems(head + "}}\n"), "");
   EXPECT_EQ(problems(head + ", file_digest: 00}}\n"),

@@ -50,7 +50,7 @@ TEST_F(QueryMetrics, ASelectWithoutAnEndIsEnded) {
   for (const char* select : {"SELECT trial_key, (SELECT max(i) FROM n) AS most FROM trials",
                              "SELECT trial_key, 1 AS one FROM trials, n"}) {
     const std::string message = message_of(numbers + select, 0.2);
-    EXPECT_TRUE(has(message, "has not ended after 0.2 s")) << message;
+    EXPECT_TRUE(has(message, "did not finish within 0.2 s")) << message;
   }
   // The database is as good as before, and without a deadline.
   EXPECT_EQ(db_.list_trials().size(), 2U);

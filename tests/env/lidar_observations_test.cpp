@@ -173,7 +173,8 @@ TEST(LidarObservations, NeedALidarAndImagesACamera) {
   spec = lidar_env();
   spec.sweep.base.sensor.method = DepthIdealSpec{};
   spec.sweep.base.sensor.lidars.clear();
-  EXPECT_THAT(refusal_of(spec), HasSubstr("points and ranges are of lidars, and the sensor has"));
+  EXPECT_THAT(refusal_of(spec),
+              HasSubstr("points and ranges come from lidars, and the sensor has"));
   spec = lidar_env();
   spec.sweep.base.sensor.lidars[0].min_range_m = 0.0;
   spec.depth = DepthEncoding::inverse;

@@ -441,7 +441,7 @@ TEST(VectorEnv, InTurnRoundZeroIsEachTrialThatCanBeFlownOnce) {
 
 TEST(VectorEnv, SaysWhatIsWrong) {
   Stepped stepped(env_spec(2));
-  EXPECT_EQ(error_of([&] { stepped.step(); }), "slot 0: reset() comes before step()");
+  EXPECT_EQ(error_of([&] { stepped.step(); }), "slot 0: call reset() before step()");
   stepped.reset();
   stepped.actions[5] = math::kNaN;
   const std::vector<double> pose = stepped.pose;
@@ -454,7 +454,7 @@ TEST(VectorEnv, SaysWhatIsWrong) {
   EXPECT_THAT(error_of([&] {
                 stepped.env.reset({}, {one.data(), 1}, stepped.arrays);
               }),
-              HasSubstr("one value a slot: 2"));
+              HasSubstr("one value per slot: 2"));
 }
 
 TEST(VectorEnv, RefusesWhatCantBeStepped) {
@@ -488,7 +488,7 @@ TEST(VectorEnv, AnInterruptedResetLeavesNothingHalfBegun) {
   Stepped stepped(spec);
   const auto interrupt = [] { throw std::runtime_error("interrupted"); };
   EXPECT_THROW(stepped.env.reset(1, {}, stepped.arrays, interrupt), std::runtime_error);
-  EXPECT_EQ(error_of([&] { stepped.step(); }), "slot 0: reset() comes before step()");
+  EXPECT_EQ(error_of([&] { stepped.step(); }), "slot 0: call reset() before step()");
 }
 
 TEST(VectorEnv, AnInterruptedSearchForAMissionEndsInEveryThread) {

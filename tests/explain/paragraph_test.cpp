@@ -38,7 +38,7 @@ TEST(Paragraph, SaysWhatWasMeasuredAndNothingElse) {
   EXPECT_EQ(text.find("no plan"), std::string::npos) << "of none it says nothing";
   EXPECT_EQ(text.back(), '.');
   EXPECT_EQ(decisive_s(found, 4.0), 3.2);
-  EXPECT_EQ(cause_text(Cause::occluded), "occluded: something stood before it until too late");
+  EXPECT_EQ(cause_text(Cause::occluded), "occluded: something hid it until too late");
   EXPECT_EQ(decisive_s({.cause = Cause::gave_up, .facts = {}}, 4.0), 4.0);
 }
 

@@ -165,7 +165,7 @@ TEST(Ulog, TheControllersPositionsGoBeforeOdometry) {
                                  .text);
   EXPECT_TRUE(has(ulog_refusal(head + odometry + again +
                                test::ulog_record('A', id + "vehicle_odometry") + with_velocity),
-                  "some have a velocity, others none"));
+                  "some messages have a velocity, others don't"));
 }
 
 TEST(Ulog, ReadsOnWhereDataWereAppended) {
@@ -203,7 +203,8 @@ TEST(Ulog, FormatsThatCantBeAreRefused) {
     deep += test::ulog_record('F', "t" + std::to_string(i) + ":" + next + " a;" + next + " b;");
   }
   deep += with(start + "t0 t;").substr(test::ulog_head().size());
-  EXPECT_TRUE(has(ulog_refusal(deep), "no topic has poses that are read")) << ulog_refusal(deep);
+  EXPECT_TRUE(has(ulog_refusal(deep), "no topic has poses of a supported type"))
+      << ulog_refusal(deep);
 }
 
 TEST(Ulog, MessagesOfUnknownKindsAndTopicsAreDamage) {
@@ -215,7 +216,8 @@ TEST(Ulog, MessagesOfUnknownKindsAndTopicsAreDamage) {
             place + ": a message of a topic that is not known");
   std::string flags = test::ulog_flags(0);
   flags[3 + 8] = 2;
-  EXPECT_TRUE(has(ulog_refusal(test::ulog_head() + flags), "uses what this program does not know"));
+  EXPECT_TRUE(has(ulog_refusal(test::ulog_head() + flags),
+                  "uses features that this program does not know"));
 }
 
 }  // namespace

@@ -153,7 +153,7 @@ TEST(RecordedFlight, ChunksThatUnpackToAnythingElseAreRefused) {
     EXPECT_TRUE(has(refusal(bomb), "unpacks to more bytes than it says")) << refusal(bomb);
   }
   const std::string unknown = test::mcap_of(test::mcap_chunk("zip", records, records.size()));
-  EXPECT_TRUE(has(refusal(unknown), "a chunk of the unknown compression zip"));
+  EXPECT_TRUE(has(refusal(unknown), "a chunk with the unknown compression zip"));
   std::string flipped = test::mcap_chunk("", records, records.size());
   flipped[flipped.size() - 1] ^= 1;
   EXPECT_TRUE(has(refusal(test::mcap_of(flipped)),
@@ -245,7 +245,7 @@ TEST(RecordedFlight, WithoutAStampTheTimeOfRecordingIsTaken) {
   EXPECT_EQ(flight.poses[0].time_ns, 70);
   EXPECT_EQ(flight.poses[1].time_ns, 71);
   EXPECT_EQ(flight.warnings,
-            std::vector<std::string>{"2 poses have no time stamp; the time of recording is taken"});
+            std::vector<std::string>{"2 poses have no time stamp; the time of recording is used"});
 }
 
 TEST(RecordedFlight, PosesInTwoFramesAreNoFlight) {
@@ -261,12 +261,13 @@ TEST(RecordedFlight, NothingThatCanBeUsedIsAnError) {
   EXPECT_TRUE(has(refusal("\x28\xb5\x2f\xfd"), "zstd -d FILE"));
   EXPECT_TRUE(has(refusal("#ROSBAG V1.2\n"), "`rosbag fix`"));
   EXPECT_EQ(refusal(bag_of_poses({})),
-            "log: no topic has poses that are read (poses of " + std::string(kPoseMessageNames) +
+            "log: no topic has poses of a supported type (poses of " +
+                std::string(kPoseMessageNames) +
                 "); it has /pose (geometry_msgs/PoseStamped, 0 messages)");
   const std::string message = refusal(bag_of_poses({{.position = {1, HUGE_VAL, 0}}}));
   EXPECT_EQ(message,
-            "log: no pose that can be used; 1 pose is not finite or not valid and is left "
-            "out; 1 pose has no time stamp; the time of recording is taken");
+            "log: no usable pose; 1 pose is not finite or not valid and is left out; 1 pose has no "
+            "time stamp; the time of recording is used");
   EXPECT_TRUE(has(refusal(test::sample_tum(), {.topic = "/a"}), "no topic /a; it has no topics"));
   const test::TemporaryFolder folder;
   EXPECT_TRUE(has(message_of([&] { read_recorded_flight({.file = folder.path().string()}); }),
@@ -297,7 +298,7 @@ TEST(RecordedFlight, MessagesThatAreNotTheirTypeAreRefusedWithTheirPlace) {
   EXPECT_TRUE(has(refusal(mcap_with("\x28\xb5\x2f\xfdxx")), "compressed one by one"));
   EXPECT_TRUE(has(refusal(test::mcap_of(test::mcap_head("/odom", "nav_msgs/msg/Odometry", "json") +
                                         test::mcap_message(5, "{}"))),
-                  "messages of the encoding 'json'; cdr and ros1 are read"));
+                  "messages of the encoding 'json'; only cdr and ros1 are supported"));
 }
 
 TEST(RecordedFlight, BagsWithoutAnIndexAreReadAndSaySo) {

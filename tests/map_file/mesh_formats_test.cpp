@@ -111,7 +111,7 @@ TEST(ObjFile, AMaterialHoldsFromItsLineOn) {
 TEST(ObjFile, FacesThatCrossAreNamedWithTheirLine) {
   const std::string text = "v 0 0 0\nv 4 0 0\nv 0 3 0\nv 4 4 0\nv 2 -2 0\nf 1 2 3\nf 1 2 3 4 5\n";
   EXPECT_EQ(message_of("a.obj", text),
-            "a.obj:7: the face has edges that cross; cut it to triangles before");
+            "a.obj:7: the face has edges that cross; cut it into triangles first");
 }
 
 // ---- PLY
@@ -192,18 +192,18 @@ TEST(PlyFile, FacesThatCrossAreNamedWithTheirLineOrByte) {
   const Points vertices{{0, 0, 0}, {4, 0, 0}, {0, 3, 0}, {4, 4, 0}, {2, -2, 0}};
   const std::vector<std::vector<int>> faces{{0, 1, 2}, {0, 1, 2, 3, 4}};
   EXPECT_EQ(message_of("a.ply", ply(vertices, faces, {.format = "ascii"})),
-            "a.ply:16: face 1 has edges that cross; cut it to triangles before");
+            "a.ply:16: face 1 has edges that cross; cut it into triangles first");
   const std::string bytes = ply(vertices, faces, {});
   EXPECT_EQ(message_of("a.ply", bytes), "a.ply: face 1 at byte " +
                                             std::to_string(bytes.size() - 21) +
-                                            " has edges that cross; cut it to triangles before");
+                                            " has edges that cross; cut it into triangles first");
 }
 
 TEST(PlyFile, WhatIsWrongInBinaryIsNamedWithItsByte) {
   std::string bytes = ply(kPlyVertices, {{0, 1, 2}, {0, 1, 6}}, {});
   EXPECT_EQ(message_of("a.ply", bytes), "a.ply: face 1 at byte " +
                                             std::to_string(bytes.size() - 13) +
-                                            " names a vertex that is not there");
+                                            " names a vertex that does not exist");
   const std::size_t second = bytes.find("end_header\n") + 11 + 12;
   bytes.replace(second + 4, 4, raw(std::numeric_limits<float>::quiet_NaN()));
   EXPECT_EQ(message_of("a.ply", bytes),
@@ -329,17 +329,18 @@ TEST(GltfFile, AMirroredTriangleIsTurnedBack) {
 
 TEST(GltfFile, WaysThatAreNotReadAreNamed) {
   EXPECT_EQ(message_of("a.gltf", gltf({.accessor = R"(,"sparse":{"count":1})"})),
-            "a.gltf: accessors[0] is sparse, which is not read");
-  EXPECT_EQ(message_of("a.gltf",
-                       gltf({.primitive = R"("extensions":{"KHR_draco_mesh_compression":{}})"})),
-            "a.gltf: meshes[0] is compressed by Draco, which is not read; export it uncompressed");
+            "a.gltf: accessors[0] is sparse, which is not supported");
+  EXPECT_EQ(
+      message_of("a.gltf",
+                 gltf({.primitive = R"("extensions":{"KHR_draco_mesh_compression":{}})"})),
+      "a.gltf: meshes[0] is compressed with Draco, which is not supported; export it uncompressed");
   // Would be one tree of many, silently.
   EXPECT_EQ(message_of("a.gltf", gltf({.nodes = R"([{"mesh":0,"extensions":{)"
                                                 R"("EXT_mesh_gpu_instancing":{}}}])"})),
-            "a.gltf: nodes[0] stands in several places by EXT_mesh_gpu_instancing, which is not "
-            "read; export a node for each");
+            "a.gltf: nodes[0] has several instances (EXT_mesh_gpu_instancing), which is not "
+            "supported; export a node for each");
   EXPECT_EQ(message_of("a.gltf", gltf({.nodes = R"([{"name":"a","mesh":1}])"})),
-            "a.gltf: meshes[1] is not there");
+            "a.gltf: meshes[1] is missing");
 }
 
 }  // namespace

@@ -205,7 +205,7 @@ TEST(MeshMap, WrongObjFilesAreReportedWithTheirLine) {
   EXPECT_EQ(message("v 0 0 0\nv nan 0 0\n"), "FILE:2: vertex: 'nan' is not finite");
   EXPECT_EQ(message("v 0 0 0\nv 0 1e39 0\n"), "FILE:2: vertex: '1e39' is not finite");
   EXPECT_EQ(message("v 0 0\n"), "FILE:1: too few numbers");
-  EXPECT_EQ(message("v 0 0 0x\n"), "FILE:1: '0x' is no number");
+  EXPECT_EQ(message("v 0 0 0x\n"), "FILE:1: '0x' is not a number");
   EXPECT_EQ(message("v 0 0 0 2\n"), "FILE:1: a vertex's w is not 1");
   EXPECT_EQ(message(triangle + "f 1 2\n"), "FILE:4: a face of fewer than 3 corners");
   EXPECT_EQ(message(triangle + "f 1 2 4\n"),
@@ -214,19 +214,20 @@ TEST(MeshMap, WrongObjFilesAreReportedWithTheirLine) {
             "FILE:4: the face names vertex -4; up to here there are 3");
   EXPECT_EQ(message(triangle + "f 1 2 0\n"),
             "FILE:4: the face names vertex 0; up to here there are 3");
-  EXPECT_EQ(message(triangle + "f 1 2 three\n"), "FILE:4: 'three' is no corner of a face");
-  EXPECT_EQ(message(triangle + "f 1 2 \\\n3\n"), "FILE:4: lines continued by \\ are not read");
+  EXPECT_EQ(message(triangle + "f 1 2 three\n"), "FILE:4: 'three' is not a corner of a face");
+  EXPECT_EQ(message(triangle + "f 1 2 \\\n3\n"),
+            "FILE:4: lines continued with \\ are not supported");
   std::string polygon = triangle + "f";
   for (int i = 0; i < 1001; ++i) polygon += " 1";
   EXPECT_EQ(message(polygon),
-            "FILE:4: a face of more than 1000 corners; cut it to triangles before");
+            "FILE:4: a face of more than 1000 corners; cut it into triangles first");
 }
 
 TEST(MeshMap, MapsThatAreNoneInMetresAreReportedWithWhatToSet) {
   const auto message = [](const std::string& second, const std::string& third) {
     return message_of_file("a.obj", "v 0 0 0\nv " + second + "\nv " + third + "\nf 1 2 3\n");
   };
-  EXPECT_EQ(message("5 0 0", "9 0 0"), "FILE: has no triangle with an area");
+  EXPECT_EQ(message("5 0 0", "9 0 0"), "FILE: has no triangle with an area above 0");
   EXPECT_EQ(message("5 0 0", "0 5 0"), "FILE: its own box is only 5 × 5 × 0 m: give bounds");
   EXPECT_EQ(message("40000 0 0", "0 5 0"),
             "FILE: spans 40000 × 5 × 0 m, more than 2000 m: if its unit is not the metre, set "
@@ -293,13 +294,13 @@ TEST(MeshMap, WrongStlFiles) {
   EXPECT_EQ(message(infinite), "FILE: triangle 2 at byte 134: a vertex is not finite");
   const std::string ascii = test::ascii_stl_bytes(brick_mesh());
   EXPECT_EQ(message(ascii.substr(0, ascii.rfind("endsolid"))),
-            "FILE:85: is truncated: it does not end by 'endsolid'");
+            "FILE:85: is truncated: it does not end with 'endsolid'");
   EXPECT_EQ(message("solid a\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 1 0 nan\n"),
             "FILE:5: vertex: 'nan' is not finite");
   EXPECT_EQ(message("solid a\nfacet\nvertex 0 0 0\nendfacet\n"), "FILE:4: a facet of 1 vertices");
-  EXPECT_EQ(message("solid a\nvertex 0 0 0\n"), "FILE:2: a vertex too many");
+  EXPECT_EQ(message("solid a\nvertex 0 0 0\n"), "FILE:2: one vertex too many");
   EXPECT_EQ(message("solid a\nfacet\nfacet\n"), "FILE:3: the facet before does not end");
-  EXPECT_EQ(message("solid a\ncube 3\n"), "FILE:2: 'cube' is no word of an STL file");
+  EXPECT_EQ(message("solid a\ncube 3\n"), "FILE:2: 'cube' is not a word of an STL file");
 }
 
 TEST(MeshMap, WrongPlyFiles) {
@@ -315,14 +316,13 @@ TEST(MeshMap, WrongPlyFiles) {
   EXPECT_EQ(message(head("3", "1") + "0 0 0\n5 0 nan\n"), "FILE:11: vertex 1 is not finite");
   EXPECT_EQ(message(head("3", "1") + "0 0 0\n5 0 0\n"),
             "FILE:11: is truncated: the header promises 3 of 'vertex', there are 2");
-  EXPECT_EQ(
-      message(head("9999999999", "1")),
-      "FILE: has more than 15000000 vertices, three for each of the most triangles; decimate it "
-      "before");
+  EXPECT_EQ(message(head("9999999999", "1")),
+            "FILE: has more than 15000000 vertices, three for each of the most triangles; decimate "
+            "it first");
   EXPECT_EQ(message(head("3", "1") + "0 0 0\n5 0 0\n0 5 0\n3 0 1 3\n"),
-            "FILE:13: face 0 names a vertex that is not there");
+            "FILE:13: face 0 names a vertex that does not exist");
   EXPECT_EQ(message(head("3", "1") + "0 0 0\n5 0 0\n0 5 0\n3 0 1 -1\n"),
-            "FILE:13: face 0 names a vertex that is not there");
+            "FILE:13: face 0 names a vertex that does not exist");
   EXPECT_EQ(message(head("3", "1") + "0 0 0\n5 0 0\n0 5 0\n200 0 1 2\n"),
             "FILE:13: too few numbers");
   EXPECT_EQ(message(head("3", "1") + "0 0 0\n5 0 0\n0 5 0\n2 0 1\n"), "FILE: has no triangles");
@@ -341,33 +341,34 @@ TEST(MeshMap, WrongGltfFiles) {
     return message_of_file("a.gltf", text.replace(at, from.size(), to));
   };
   EXPECT_EQ(message_of_file("a.gltf", good.substr(0, 50)),
-            "FILE: is no glTF: its JSON ends or is wrong at byte 51");
-  EXPECT_EQ(message_of_file("a.gltf", "[]"), "FILE: is no glTF: its JSON is no object");
+            "FILE: is not glTF: its JSON ends or is wrong at byte 51");
+  EXPECT_EQ(message_of_file("a.gltf", "[]"), "FILE: is not glTF: its JSON is not an object");
   EXPECT_EQ(message_of_file("a.gltf", "66666E33333"),
-            "FILE: is no glTF: a number of its JSON is too large");
+            "FILE: is not glTF: a number of its JSON is too large");
   const std::string deep = std::string(1'000'000, '[') + std::string(1'000'000, ']');
-  EXPECT_EQ(message_of_file("a.gltf", "{\"asset\":" + deep + "}"), "FILE: is no glTF of version 2");
+  EXPECT_EQ(message_of_file("a.gltf", "{\"asset\":" + deep + "}"),
+            "FILE: is not glTF of version 2");
   EXPECT_EQ(with("\"nodes\":[0]", "\"nodes\":[" + deep + "]"),
-            "FILE: a scene's node is no whole number");
+            "FILE: a scene's node is not a whole number");
   EXPECT_EQ(with("\"VEC3\"", deep), "FILE: accessors[0] is no VEC3");
-  EXPECT_EQ(with("2.0", "1.0"), "FILE: is no glTF of version 2");
+  EXPECT_EQ(with("2.0", "1.0"), "FILE: is not glTF of version 2");
   EXPECT_EQ(with("data:application", "http://application"),
             "FILE: buffers[0] is in another file, 'http://application/octet-stream;base64,A…': "
             "buffers must be inside the file; export it as .glb");
-  EXPECT_EQ(with("base64,A", "base64,%"), "FILE: buffers[0] is no base64");
+  EXPECT_EQ(with("base64,A", "base64,%"), "FILE: buffers[0] is not base64");
   EXPECT_EQ(with("\"byteLength\":240", "\"byteLength\":999"),
             "FILE: is truncated: buffers[0] has 999 bytes, there are 240");
   EXPECT_EQ(with("\"byteOffset\":96", "\"byteOffset\":97"),
             "FILE: accessors[1]: its bufferView is not within its buffer");
   EXPECT_EQ(with("\"count\":8", "\"count\":9"), "FILE: accessors[0] is not within its bufferView");
-  EXPECT_EQ(with("\"count\":8", "\"count\":-1"), "FILE: count is no whole number");
+  EXPECT_EQ(with("\"count\":8", "\"count\":-1"), "FILE: count is not a whole number");
   EXPECT_EQ(with("\"count\":8", "\"count\":7"), "FILE: meshes[0]: an index names no vertex");
   EXPECT_EQ(with("5126", "5123"), "FILE: accessors[0]: positions must be float");
-  EXPECT_EQ(with("\"nodes\":[0]", "\"nodes\":[1]"), "FILE: nodes[1] is not there");
+  EXPECT_EQ(with("\"nodes\":[0]", "\"nodes\":[1]"), "FILE: nodes[1] is missing");
   EXPECT_EQ(with("\"mesh\":0", "\"mesh\":0,\"children\":[0]"),
             "FILE: nodes[0] is below two others or below itself");
   EXPECT_EQ(with("\"mesh\":0", "\"mesh\":0,\"scale\":[1,1]"), "FILE: a node's scale is wrong");
-  EXPECT_EQ(with("\"material\":0", "\"material\":3"), "FILE: materials[3] is not there");
+  EXPECT_EQ(with("\"material\":0", "\"material\":3"), "FILE: materials[3] is missing");
   EXPECT_EQ(with("\"indices\":1", "\"mode\":1"), "FILE: has no triangles");
 
   const std::string glb = test::gltf_bytes(mesh, true);
@@ -396,9 +397,9 @@ TEST(MeshMap, WrongSpecs) {
   EXPECT_EQ(message([&](MeshSpec& s) { s.file = folder.path() / "none.obj"; }),
             (folder.path() / "none.obj").string() + ": no such file");
   EXPECT_EQ(message([&](MeshSpec& s) { s.file = folder.path().string() + "/"; }),
-            "file: '' is none of obj, ply, stl, glb, gltf");
+            "file: '' is not one of obj, ply, stl, glb, gltf");
   EXPECT_EQ(message([](MeshSpec& s) { s.file = "a.fbx"; }),
-            "file: 'fbx' is none of obj, ply, stl, glb, gltf");
+            "file: 'fbx' is not one of obj, ply, stl, glb, gltf");
   EXPECT_EQ(message([](MeshSpec& s) { s.file = ""; }),
             "file: is not given; it is the map's file (obj, ply, stl, glb, gltf)");
   EXPECT_EQ(message([](MeshSpec& s) {
@@ -419,9 +420,8 @@ TEST(MeshMap, WrongSpecs) {
               s.bounds = {{5, 5, 9}, {9, 9, 5}};
             }),
             "bounds.highest_m: is below lowest_m along z");
-  EXPECT_EQ(
-      message([](MeshSpec& s) { s.file_digest = std::string(64, '0'); }),
-      "FILE: is not the file it was: its SHA-256 is not file_digest, " + std::string(64, '0'));
+  EXPECT_EQ(message([](MeshSpec& s) { s.file_digest = std::string(64, '0'); }),
+            "FILE: has changed: its SHA-256 is not file_digest, " + std::string(64, '0'));
 }
 
 TEST(MeshMap, MapCoordinatesKeepTheirDecimals) {
@@ -463,13 +463,13 @@ TEST(MeshMap, TooMuchIsRefusedBeforeItIsKept) {
     return test::message_of([&] { parse_mesh(bytes, name, Material::concrete, 11); });
   };
   for (const auto& [name, bytes] : test::all_meshes(brick_mesh())) {
-    EXPECT_EQ(message(name, bytes), name + ": has more than 11 triangles; decimate it before");
+    EXPECT_EQ(message(name, bytes), name + ": has more than 11 triangles; decimate it first");
   }
   std::string vertices;
   for (int i = 0; i < 34; ++i) vertices += "v 0 0 0\n";
-  EXPECT_EQ(message("a.obj", vertices),
-            "a.obj: has more than 33 vertices, three for each of the most triangles; decimate it "
-            "before");
+  EXPECT_EQ(
+      message("a.obj", vertices),
+      "a.obj: has more than 33 vertices, three for each of the most triangles; decimate it first");
 }
 
 TEST(MeshMap, NamesWithoutAFaceAreNoObstacles) {

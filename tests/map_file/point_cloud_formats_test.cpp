@@ -97,7 +97,7 @@ TEST(Las, WhatIsWrongIsReportedWithItsByte) {
   EXPECT_EQ(with(96, std::uint32_t{0xffffffff}),
             "c: is truncated: its points should begin at byte 4294967295, it ends at " +
                 std::to_string(good.size()));
-  EXPECT_EQ(with(104, std::uint8_t{11}), "c: byte 104: point format 11 is none of 0 to 10");
+  EXPECT_EQ(with(104, std::uint8_t{11}), "c: byte 104: point format 11 is not one of 0 to 10");
   EXPECT_EQ(with(105, std::uint16_t{29}),
             "c: byte 105: a point of format 6 has 30 bytes at least, not 29");
   EXPECT_EQ(with(105, std::uint16_t{0}),
@@ -126,26 +126,26 @@ TEST(Las, FilesThatNeedAConverterSayWhich) {
   std::string laz = las(three(), {.minor = 4, .format = 6, .records = 1});
   laz.replace(375 + 2, 16, std::string("laszip encoded\0\0", 16));
   const std::string converters =
-      "c: is compressed (LAZ): convert it first, by 'pdal translate in.laz out.las' or "
-      "'laszip -i in.laz -o out.las'";
+      "c: is compressed (LAZ): convert it first, with 'pdal translate in.laz out.las' or 'laszip "
+      "-i in.laz -o out.las'";
   EXPECT_EQ(parse_message(laz), converters);
   laz = las(three());
   laz[104] = static_cast<char>(0x80 | 3);
   EXPECT_EQ(parse_message(laz), converters);
-  EXPECT_EQ(parse_message("ASTM-E57\1"),
-            "c: is an E57 file: convert it first, by 'pdal translate in.e57 out.las' or "
-            "CloudCompare");
+  EXPECT_EQ(
+      parse_message("ASTM-E57\1"),
+      "c: is an E57 file: convert it first, with 'pdal translate in.e57 out.las' or CloudCompare");
   EXPECT_EQ(parse_message("# Octomap OcTree file\nid OcTree\n"),
-            "c: is an octree with probabilities (.ot): convert it first, by "
-            "'convert_octree in.ot out.bt'");
+            "c: is an octree with probabilities (.ot): convert it first, with 'convert_octree "
+            "in.ot out.bt'");
   PointCloudSpec spec;
   spec.file = "a.LAZ";
   std::vector<std::string> problems;
   find_problems(spec, problems);
   ASSERT_EQ(problems.size(), 1U);
   EXPECT_EQ(problems[0],
-            "file: 'laz' is none of ply, pcd, las, bt: convert it first, by "
-            "'pdal translate in.laz out.las' or 'laszip -i in.laz -o out.las'");
+            "file: 'laz' is not one of ply, pcd, las, bt: convert it first, with 'pdal translate "
+            "in.laz out.las' or 'laszip -i in.laz -o out.las'");
 }
 
 FilePoints cloud_around_origin(int count) {
@@ -209,7 +209,7 @@ TEST(Las, BoundsOriginAndDigestAreThoseOfOtherClouds) {
   spec.file_digest = bytes_digest(bytes);
   EXPECT_EQ(make_world(spec, 1).digest, expected);
   spec.file_digest[0] = spec.file_digest[0] == '0' ? '1' : '0';
-  EXPECT_TRUE(has(message_of([&] { make_world(spec, 1); }), "is not the file it was"));
+  EXPECT_TRUE(has(message_of([&] { make_world(spec, 1); }), "has changed: its SHA-256"));
 }
 
 TEST(Las, ExtentsAreReportedAsOfOtherClouds) {
@@ -291,7 +291,7 @@ TEST(Octree, WhatIsWrongIsReported) {
   EXPECT_EQ(head("id OcTree\nsize 1\ndata\n"), "c:4: the header lacks res");
   EXPECT_EQ(head("id OcTree\nsize 1\n"), "c:3: the header does not end ('data')");
   EXPECT_EQ(head("size 1\nres 1\ndata\n"), "c: is an octree with the id '', not OcTree");
-  EXPECT_EQ(head("id OcTree\nside 1\n"), "c:3: 'side' is no word of an OctoMap header");
+  EXPECT_EQ(head("id OcTree\nside 1\n"), "c:3: 'side' is not a word of an OctoMap header");
   EXPECT_EQ(head(std::string(20'000, '\n')), "c:10001: the header does not end ('data')");
   EXPECT_EQ(parse_message(octree_at_origin("1", 1, node, 2)),
             "c: is damaged: the header promises 18 nodes, there are 17");

@@ -194,8 +194,8 @@ TEST(PointCloud, WhatIsWrongIsReportedWithFileAndLine) {
       "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty "
       "float z\nend_header\n";
   EXPECT_EQ(parse("solid"),
-            "c: begins as none of PLY ('ply'), PCD ('# .PCD'), LAS ('LASF') and OctoMap's .bt "
-            "('# Octomap OcTree binary file')");
+            "c: does not begin as one of PLY ('ply'), PCD ('# .PCD'), LAS ('LASF') and OctoMap's "
+            ".bt ('# Octomap OcTree binary file')");
   EXPECT_EQ(parse("ply\nformat text 1.0\n"),
             "c:2: expected 'format ascii|binary_little_endian|binary_big_endian 1.0'");
   EXPECT_EQ(parse("ply\nformat ascii 1.0\nelement vertex two\n"),
@@ -203,7 +203,7 @@ TEST(PointCloud, WhatIsWrongIsReportedWithFileAndLine) {
   EXPECT_EQ(parse(ply_header + "1 2 3\n"),
             "c:8: is truncated: the header promises 2 of 'vertex', there are 1");
   EXPECT_EQ(parse(ply_header + "1 2 3\n4 5\n"), "c:9: too few numbers");
-  EXPECT_EQ(parse(ply_header + "1 2 3\n4 5 six\n"), "c:9: 'six' is no number");
+  EXPECT_EQ(parse(ply_header + "1 2 3\n4 5 six\n"), "c:9: 'six' is not a number");
   EXPECT_EQ(parse("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n"),
             "c: the element vertex lacks the property y");
   EXPECT_EQ(parse("# .PCD\nFIELDS x y z\nSIZE 4 4\n"),

@@ -272,7 +272,7 @@ TEST(Movers, ContradictionsAreFound) {
   const std::vector<std::string> found =
       mover_problems({.count = 3, .density_1pm2 = 0.1, .speed_mps = {2.0, 1.0}});
   ASSERT_EQ(found.size(), 2U);
-  EXPECT_EQ(found[0], "density_1pm2: stands instead of count, and both are given");
+  EXPECT_EQ(found[0], "density_1pm2: replaces count, but both are given");
   EXPECT_EQ(found[1], "speed_mps: the least, 2, is above the greatest, 1");
 }
 

@@ -49,9 +49,13 @@ def main():
         problems.append("pages and figures have other colours for the same planners")
     if len(lists["kPlannerColors"]) != len(lists["kBrightColors"]):
         problems.append("a dark page has another number of colours")
-    for name, found in lists.items():
+    outcomes = lists["kOutcomeColors"]
+    pairs = {name: list(itertools.combinations(found, 2)) for name, found in lists.items()}
+    for name in ("kPlannerColors", "kBrightColors"):
+        pairs[f"{name} and kOutcomeColors"] = list(itertools.product(lists[name], outcomes))
+    for name, both in pairs.items():
         for seen in SEEN:
-            for a, b in itertools.combinations(found, 2):
+            for a, b in both:
                 difference = sum((x - y) ** 2 for x, y in zip(lab(a, seen), lab(b, seen))) ** 0.5
                 if difference < LEAST:
                     problems.append(f"{name}: {a} and {b} are alike to {seen} ({difference:.1f})")

@@ -5,7 +5,8 @@ import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
-import { deflateSync, inflateSync } from "node:zlib";
+import { makeExplained, makeLarge } from "./made_pages.mjs";
+import { checkPaper, checkSaved, checkScatter, checkSteps } from "./page_parts.mjs";
 
 const [program, packages, hostile] = process.argv.slice(2);
 const browserFile = [
@@ -78,6 +79,7 @@ mission: {time_limit_s: 3}
   run("maps", "show", "forest", "--page", "map.html");
   run("limit", "small.yaml", "--over", "max_speed_mps=1..5", "--max-trials", "18", "--quiet", "--db", "limit.db");
   run("report", "limit.db", "--page", "limit.html");
+  makeExplained(at("small.html"), at("explained.html"));
   makeBoard();
 }
 
@@ -92,75 +94,6 @@ function makeBoard() {
   run(...flown, "--planner", "straight_line", "--label", hostileLabel, "--folder", "slow");
   run(...flown, "--planner", "omniscient", "--folder", "ceiling");
   run("suite", "board", "slow", "ceiling", "--suite", "tiny/depth", "--page", "board.html");
-}
-
-// ---- What lib/results/page packs, for a page of 10,000 trials made of a small one.
-
-function varints(bytes, values) {
-  let last = 0;
-  for (const value of values) {
-    const delta = value - last;
-    last = value;
-    let v = delta < 0 ? -2 * delta - 1 : 2 * delta;
-    while (v >= 128) {
-      bytes.push((v % 128) | 128);
-      v = Math.floor(v / 128);
-    }
-    bytes.push(v);
-  }
-}
-function unpackDeltas(text, count) {
-  const bytes = inflateSync(Buffer.from(text, "base64"));
-  let place = 0;
-  let last = 0;
-  return Array.from({ length: count }, () => {
-    let value = 0;
-    let factor = 1;
-    for (;;) {
-      const byte = bytes[place++];
-      value += (byte & 127) * factor;
-      if (byte < 128) break;
-      factor *= 128;
-    }
-    last += value % 2 === 0 ? value / 2 : -(value + 1) / 2;
-    return last;
-  });
-}
-const packDeltas = (values) => {
-  const bytes = [];
-  varints(bytes, values);
-  return deflateSync(Buffer.from(bytes)).toString("base64");
-};
-function manyFloats(text, count, total) {
-  const bytes = inflateSync(Buffer.from(text, "base64"));
-  const out = Buffer.alloc(4 * total);
-  for (let k = 0; k < 4; ++k) for (let i = 0; i < total; ++i) out[k * total + i] = bytes[k * count + (i % count)];
-  return deflateSync(out).toString("base64");
-}
-function makeLarge(total) {
-  const html = readFileSync(at("small.html"), "utf8");
-  const [before, rest] = html.split('<script type="application/json" id="data">');
-  const end = rest.indexOf("</script>");
-  const page = JSON.parse(rest.slice(0, end));
-  const t = page.sweeps[0].trials;
-  const n = t.count;
-  const more = (text) => {
-    const few = unpackDeltas(text, n);
-    return packDeltas(Array.from({ length: total }, (_, i) => few[i % n]));
-  };
-  for (const name of ["planner", "map", "mission", "outcome"]) t[name] = more(t[name]);
-  t.id = packDeltas(Array.from({ length: total }, (_, i) => i + 1));
-  const keys = Buffer.alloc(6 * total);
-  for (let i = 0; i < total; ++i) keys.writeUIntBE(i * 7919 + 1, 6 * i, 6);
-  t.key = deflateSync(keys).toString("base64");
-  t.end_s = manyFloats(t.end_s, n, total);
-  t.metrics = t.metrics.map((m) => manyFloats(m, n, total));
-  for (const words of [t.reason, ...t.axes]) words.index = more(words.index);
-  t.count = total;
-  writeFileSync(
-    at("large.html"),
-    `${before}<script type="application/json" id="data">${JSON.stringify(page).replaceAll("<", "\\u003c")}${rest.slice(end)}`,
-  );
 }
 
 // ---- The browser.
@@ -484,7 +417,7 @@ function checkFilm() {
 }
 
 async function checkLarge() {
-  makeLarge(10000);
+  makeLarge(at("small.html"), at("large.html"), 10000);
   const page = await opened("large.html", "#tab=trials");
   await page.waitForSelector("tr[data-trial]");
   check((await page.$$("tr[data-trial]")).length < 120, "10,000 trials: only the rows that are seen are made");
@@ -589,9 +522,13 @@ try {
     checkBoard,
     checkLarge,
     checkAccess,
+    checkPaper,
+    checkSaved,
+    checkScatter,
+    checkSteps,
   ]) {
     const begun = Date.now();
-    await part();
+    await part({ opened, finish, check, run, figureRows, near, hostileLabel });
     console.log(`     ${part.name}: ${((Date.now() - begun) / 1000).toFixed(1)} s`);
   }
 } catch (error) {

@@ -273,10 +273,8 @@ TEST(PageText, NothingIsMarkup) {
   EXPECT_EQ(html_text("<a href='x'>\"&"), "&lt;a href=&#39;x&#39;&gt;&quot;&amp;");
 }
 
-TEST(PageText, SaysWhatIsMissing) {
-  const PageProgram none{.head = {}, .body = {}, .tail = {}, .missing = "no npm"};
-  EXPECT_THROW(page_text(none, "t", nlohmann::ordered_json::object()), InputError);
-  const PageProgram some{.head = "<h>", .body = "<b>", .tail = "<t>", .missing = {}};
+TEST(PageText, HasTheDataBetweenItsParts) {
+  const PageProgram some{.head = "<h>", .body = "<b>", .tail = "<t>"};
   EXPECT_EQ(page_text(some, "a<b", nlohmann::ordered_json{{"x", 1}}), "<h>a&lt;b<b>{\"x\":1}<t>");
 }
 

@@ -58,8 +58,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadCase{"writes_image", "flies_toward_a_wall", "it wrote into a depth image"},
         BadCase{"writes_past_image", "flies_toward_a_wall", "it wrote past the ends"},
         BadCase{"clock_guard", "repeats",
-                "where each look at a clock finds one second gone: it depends on time, and it "
-                "looks at steady_clock::now (clock_guard.so)"},
+                "where each look at a clock finds it one second later: it depends on time, and it "
+                "reads steady_clock::now (clock_guard.so)"},
         BadCase{"random_seed", "repeats", "in a second process: it depends on chance, "},
         BadCase{"works_behind", "repeats", "gives another answer"},
         BadCase{"stateful", "reset_forgets", "it remembers"},
@@ -70,7 +70,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadCase{"globals_segfault", "flies_toward_a_wall", "crashed by signal 11"},
         BadCase{"globals_segfault", "errors_have_a_text", "crashed by signal 11"},
         BadCase{"keeps_pointer", "keeps_no_input", "keeps a pointer"},
-        BadCase{"draws_differently", "drawing_changes_nothing", "when its drawings are wanted"},
+        BadCase{"draws_differently", "drawing_changes_nothing", "when its drawings are shown"},
         BadCase{"asked_differently", "being_asked_changes_nothing", "when it is asked"},
         BadCase{"newest_of_any", "tells_cameras_apart", "no longer depend on what the first"},
         BadCase{"forgets_goals", "flies_to_the_next_goal", "the same with the next goal to the"},
@@ -150,7 +150,7 @@ TEST(ImportNotes, LookIntoLibrariesThatLieBesideIt) {
 
 TEST(Conformance, ClocksOfLibrariesThatItNeedsAreShifted) {
   EXPECT_THAT(finding(check_conformance(NEEDS_A_SOLVER), "repeats"),
-              HasSubstr("looks at clock_gettime (libclock_solver.so)"));
+              HasSubstr("reads clock_gettime (libclock_solver.so)"));
 }
 
 TEST(IsolatedConformance, GivesTheSameAsInProcess) {

@@ -39,15 +39,16 @@ TEST(Loading, NamesTheFileAndWhatIsWrong) {
   EXPECT_THAT(load_error(bad_planner("newer_symbol")),
               AllOf(HasSubstr("is a planner of ABI 2"), HasSubstr("needs ABI 1")));
   EXPECT_THAT(load_error(bad_planner("refuses")), HasSubstr("refuses ABI 1"));
-  EXPECT_THAT(load_error(bad_planner("no_symbol")),
-              AllOf(HasSubstr("no planner"), HasSubstr("does not export avoidbench_planner_v1")));
+  EXPECT_THAT(
+      load_error(bad_planner("no_symbol")),
+      AllOf(HasSubstr("not a planner"), HasSubstr("does not export avoidbench_planner_v1")));
   EXPECT_THAT(load_error(bad_planner("short_struct")), HasSubstr("struct_size 40"));
   EXPECT_THAT(load_error(bad_planner("null_function")), HasSubstr("function plan is null"));
   EXPECT_THAT(load_error(bad_planner("bad_name")),
               AllOf(HasSubstr("its name is 'Bad Name'"), HasSubstr("commands have bits")));
   EXPECT_THAT(load_error(bad_planner("bad_ranges")),
               AllOf(HasSubstr("the preset is outside"), HasSubstr("lowest is above highest"),
-                    HasSubstr("'slow' is none of the choices"),
+                    HasSubstr("'slow' is not one of the choices"),
                     HasSubstr("two parameters are named 'gain'")));
 }
 
@@ -56,10 +57,10 @@ TEST(Loading, SaysWhatIsWrongWithProfiles) {
       load_error(bad_planner("bad_profiles")),
       AllOf(HasSubstr("profile 0 has a number for 'speed_mps' that the parameter can't have"),
             HasSubstr("profile 1 has a number for 'rays' that the parameter can't have"),
-            HasSubstr("profile 2 has 'speed', which is no parameter of numbers"),
-            HasSubstr("profile 3 has 'mode', which is no parameter of numbers"),
-            HasSubstr("profile 4 is of 'rays', which is no choice parameter"),
-            HasSubstr("profile 5 is of the word 'slow', which is no choice of 'mode'"),
+            HasSubstr("profile 2 has 'speed', which is not a numeric parameter"),
+            HasSubstr("profile 3 has 'mode', which is not a numeric parameter"),
+            HasSubstr("profile 4 is of 'rays', which is not a choice parameter"),
+            HasSubstr("profile 5 is of the word 'slow', which is not a choice of 'mode'"),
             Not(HasSubstr("profile 6")), HasSubstr("profile 7 is the second of its word"),
             HasSubstr("profile 8 is null")));
 }
@@ -245,7 +246,7 @@ TEST(Parameters, AllSlipsAreFoundAtOnce) {
               testing::UnorderedElementsAre(
                   AllOf(StartsWith("speed: "), HasSubstr("did you mean speed_mps?")),
                   HasSubstr("25 is outside [0.5, 20] m/s"), HasSubstr("2.5 is not a whole number"),
-                  HasSubstr("'fsat' is none of safe, fast (did you mean fast?)")));
+                  HasSubstr("'fsat' is not one of safe, fast (did you mean fast?)")));
 }
 
 }  // namespace

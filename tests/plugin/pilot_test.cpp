@@ -98,11 +98,11 @@ TEST(Filter, IsRefusedWhereItCanNotFly) {
   const PlannerDescription honest = described("honest"), filter = described("honest_filter");
   EXPECT_EQ(filter_alone_problem(honest), "");
   EXPECT_EQ(filter_alone_problem(filter),
-            "honest_filter is a filter and flies above a planner only: write {plugin: PLANNER, "
+            "honest_filter is a filter and flies only on top of a planner: write {plugin: PLANNER, "
             "filter: honest_filter}");
   EXPECT_EQ(filter_problem(filter, honest), "");
   EXPECT_EQ(filter_problem(honest, honest),
-            "honest is no filter: it does not declare AB_INPUT_COMMAND");
+            "honest is not a filter: it does not declare AB_INPUT_COMMAND");
   PlannerDescription narrow = filter;
   narrow.commands = AB_COMMAND_TRAJECTORY;
   EXPECT_EQ(filter_problem(narrow, honest),

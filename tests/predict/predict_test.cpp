@@ -112,14 +112,14 @@ TEST(Predict, OtherFlightsOfThePlannersInCommon) {
   EXPECT_EQ(judged_by(flown(4, 10, 10), later, 0.9).size(), 6U);
   later.planners[0].label = "mine";
   EXPECT_EQ(problem_of([&] { judged_by(flown(4, 2, 2), later, 0.9); }),
-            "no planner of these flights (mine) is one that was flown before: blind, ego");
+            "no planner of these flights (mine) was flown before: blind, ego");
 }
 
 TEST(Predict, RefusesWhatTellsNothing) {
   FlownSet one_kind;
   one_kind.planner_of("ego").trials.push_back({one_kind.map_of("a", {"forest", 0.5}), 20.0, true});
   EXPECT_EQ(problem_of([&] { leave_kinds_out(one_kind, 0.9); }),
-            "maps of one kind alone (forest): there is no other to predict it from");
+            "maps of only one kind (forest): there is no other to predict it from");
   FlownSet unmeasured;
   unmeasured.planner_of("ego").trials.push_back(
       {unmeasured.map_of("a", {"forest", math::kNaN}), 20.0, true});

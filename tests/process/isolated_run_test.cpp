@@ -106,8 +106,7 @@ TEST(IsolatedRun, ASignalOfSomebodyElseIsNoTimeLimit) {
       ::kill(::getppid(), number);
       while (true) ::pause();
     });
-    EXPECT_EQ(end.problem,
-              std::string("was ended by ") + words + " of somebody else: run it again");
+    EXPECT_EQ(end.problem, std::string("was ended by ") + words + " from outside: run it again");
   }
 }
 

@@ -166,7 +166,7 @@ def same_bits(runs):
     verified = runs.call("replay", database, "--verify")
     runs.expect(
         "replay --verify starts no command on a database's word",
-        verified.returncode == 2 and "a command is not started" in verified.stderr,
+        verified.returncode == 2 and "a command that only a database names is not started" in verified.stderr,
         verified.stdout + verified.stderr,
     )
     verified = runs.call("replay", database, "--verify", "--sweep-file", runs.folder / "quick.yaml")

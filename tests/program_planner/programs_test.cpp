@@ -113,10 +113,9 @@ TEST(Programs, ComputingTimeOfTheProgramIsTheCalls) {
 TEST(Programs, WhatIsNeitherLibraryNorProgramIsRefusedClearly) {
   const fs::path folder = own_folder();
   std::ofstream(folder / "text.txt") << "words\n";
-  EXPECT_THAT(
-      problem_of(folder / "text.txt"),
-      testing::HasSubstr("is not a shared library (no ELF header); nor a program: those end "
-                         "in .py or may be executed (chmod +x)"));
+  EXPECT_THAT(problem_of(folder / "text.txt"),
+              testing::HasSubstr("is not a shared library (no ELF header); nor a program: those "
+                                 "end in .py or are executable (chmod +x)"));
   std::ofstream(folder / "script.sh") << "#!/bin/sh\necho words >&2\nexit 3\n";
   ::chmod((folder / "script.sh").c_str(), 0755);
   EXPECT_THAT(problem_of(folder / "script.sh"),

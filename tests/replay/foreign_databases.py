@@ -25,7 +25,7 @@ sensor: {width_px: 80, height_px: 60}
 mission: {time_limit_s: 5}
 planners: [PLANNER]
 """
-REFUSAL = "a command is not started on a database's word"
+REFUSAL = "a command that only a database names is not started"
 
 
 class Folder:

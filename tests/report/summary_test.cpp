@@ -231,9 +231,9 @@ TEST(Summary, WarnsInsteadOfLying) {
                           "different versions of avoidbench: 0.1.0 abcdef, 0.2.0 fedcba"));
   TrialSummary windy = result.trials[0];
   windy.key = "another wind";
-  EXPECT_FALSE(has_warning(summary_of(result), "takes them together"));
+  EXPECT_FALSE(has_warning(summary_of(result), "merges them"));
   result.trials.push_back(windy);
-  EXPECT_TRUE(has_warning(summary_of(result), "takes them together"));
+  EXPECT_TRUE(has_warning(summary_of(result), "merges them"));
   result.planners[1].label = "a";
   for (TrialSummary& trial : result.trials) {
     if (trial.planner_key == planner_key(planner_row("b")))
@@ -268,7 +268,7 @@ TEST(Summary, TellsHowMuchOfTheSweepIsMissing) {
            std::to_string(trials) + "}";
   };
   result.spec_json = asks_for(3);
-  EXPECT_FALSE(has_warning(summary_of(result), "not done"));
+  EXPECT_FALSE(has_warning(summary_of(result), "not finished"));
   result.spec_json = asks_for(5);
   EXPECT_TRUE(has_warning(summary_of(result), "8 of its 20 trials are not flown yet"));
   // A mission that nobody can fly is not missing.
@@ -298,8 +298,8 @@ TEST(Summary, SettingsThatShareAMapShareItsInvalidMissions) {
   for (const std::string path : {"vehicle.mass_kg", "wind.mean_world_mps", "latency.ms"}) {
     result.spec_json = asks_along(path);
     const SweepSummary summary = summary_of(result);
-    EXPECT_FALSE(has_warning(summary, "not done")) << path;
-    EXPECT_TRUE(has_warning(summary, "groups of planner," + path + " tell them apart")) << path;
+    EXPECT_FALSE(has_warning(summary, "not finished")) << path;
+    EXPECT_TRUE(has_warning(summary, "groups of planner," + path + " separate them")) << path;
   }
 }
 
@@ -317,7 +317,7 @@ TEST(Summary, SettingsWithMapsOfTheirOwnLackTrialsOfTheirOwn) {
 TEST(Summary, ASweepOfNoPlannersLacksNoTrials) {
   SweepResult result = result_of(2, 3, [](char, int, int) { return true; });
   result.spec_json = R"({"trial_count":40,"until":"success_rate ci<0.9"})";
-  EXPECT_FALSE(has_warning(summary_of(result), "not done"));
+  EXPECT_FALSE(has_warning(summary_of(result), "not finished"));
 }
 
 TEST(Summary, SaysWhereTheRuleStoppedAPlanner) {

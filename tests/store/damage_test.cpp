@@ -48,7 +48,7 @@ TEST(Damage, ATextFileIsRefusedAndLeftAsItIs) {
   const TemporaryFolder folder;
   for (const std::string& content : {std::string("short"), std::string(5000, 'x')}) {
     std::ofstream(folder / "t.db") << content;
-    EXPECT_TRUE(has(message_of_opening(folder / "t.db"), "no SQLite file"));
+    EXPECT_TRUE(has(message_of_opening(folder / "t.db"), "not an SQLite file"));
     EXPECT_EQ(std::filesystem::file_size(folder / "t.db"), content.size());
   }
 }

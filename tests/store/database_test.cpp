@@ -200,7 +200,7 @@ TEST(Database, AMapMayGainMissionsButNotChange) {
     MapRow other = map_row(0, 2);
     change(other.record);
     const std::string message = message_of([&] { db.add_map(other, "forest"); });
-    EXPECT_TRUE(test::has(message, " is there with other values")) << what << ": " << message;
+    EXPECT_TRUE(test::has(message, " is stored with other values")) << what << ": " << message;
   };
   for (std::size_t i = 0; i < std::size(numbers); ++i) {
     expect_refused("number " + std::to_string(i), [&](MapRecord& map) {

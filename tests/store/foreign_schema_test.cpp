@@ -116,7 +116,7 @@ TEST(ForeignSchema, OtherThingsUnderTheNamesOfOursAreRefused) {
   EXPECT_TRUE(has(refusal_of("ALTER TABLE sweeps RENAME TO old; CREATE TABLE sweeps (sweep TEXT, "
                              "revision INTEGER, spec_json TEXT); INSERT INTO sweeps SELECT * FROM "
                              "old; DROP TABLE old"),
-                  "table sweeps is of another kind"));
+                  "table sweeps is of a different kind"));
 }
 
 TEST(ForeignSchema, ARunRefusesTriggersAndLeavesTablesApartAlone) {

@@ -47,7 +47,7 @@ void leave_as_killed(const std::filesystem::path& running, const std::filesystem
 /// Refused for reading and writing, with nothing changed.
 void expect_refused(const std::filesystem::path& file) {
   const std::string before = file_digest(file), log = file_digest(file.string() + "-wal");
-  const std::string expected = ": beside it lies " + file.filename().string() + "-wal, the log of ";
+  const std::string expected = ": next to it is " + file.filename().string() + "-wal, the log of ";
   EXPECT_TRUE(has(message_of([&] { Database::open_for_reading(file); }), expected));
   EXPECT_TRUE(has(message_of([&] { Database::open_for_run(file, kMetrics); }), expected));
   EXPECT_EQ(file_digest(file), before);

@@ -75,7 +75,7 @@ TEST(MissionLegs, OtherGoalsMakeAnotherMap) {
   Database db = with_legs(folder / "r.db");
   MapRow other = row_with_legs();
   other.record.missions[1].mission.waypoints_world[0].x() += 1e-9;
-  EXPECT_NE(message_of([&] { db.add_map(other, "forest"); }).find("is there with other values"),
+  EXPECT_NE(message_of([&] { db.add_map(other, "forest"); }).find("is stored with other values"),
             std::string::npos);
 }
 

@@ -60,7 +60,7 @@ TEST(SuiteResult, DamagedTablesAreRefusedWithTheirLine) {
   EXPECT_TRUE(has(with("# avoidbench suite result", "# another"), "trials.csv:1: expected"));
   EXPECT_TRUE(has(with("map_seed", "seed"), "trials.csv:2: expected the columns"));
   EXPECT_TRUE(has(with("halls,hall,101,0", "halls,hall,101"), "trials.csv:3: 11 fields instead"));
-  EXPECT_TRUE(has(with("reached_goal", "was_there"), "outcome: 'was_there' is none"));
+  EXPECT_TRUE(has(with("reached_goal", "was_there"), "outcome: 'was_there' is invalid"));
 }
 
 /// Rows of a folder are as good as flights only if all are there.
@@ -77,7 +77,7 @@ TEST(SuiteBoard, RefusesAResultThatLacksTrials) {
   result.track_sha256 = std::string(64, '0');
   write_result(result, folder.path());
   EXPECT_TRUE(
-      has(message_of([&] { boards_of({folder.path().string()}); }), "another avoidbench-1"));
+      has(message_of([&] { boards_of({folder.path().string()}); }), "a different avoidbench-1"));
 }
 
 /// Scores are of cells: a failure that hides in another cell, or in none, would make its own
@@ -94,7 +94,7 @@ TEST(SuiteBoard, RefusesRowsInOtherPlaces) {
   EXPECT_TRUE(has(with([](SuiteRow& row) { row.cell = "hall_3.0"; }), "no such sweep in a cell"));
   EXPECT_TRUE(has(with([](SuiteRow& row) { row.map_seed = 999; }), "maps are not those"));
   EXPECT_TRUE(has(with([](SuiteRow& row) { row.mission_index = 5; }), "no such mission"));
-  EXPECT_TRUE(has(with([](SuiteRow& row) { row.mission_index = 0; }), "it is there twice"));
+  EXPECT_TRUE(has(with([](SuiteRow& row) { row.mission_index = 0; }), "it is listed twice"));
   EXPECT_TRUE(has(with([](SuiteRow& row) { row.goal_velocity_mps = 9.0; }), "goal velocity 9 m/s"));
 }
 

@@ -125,10 +125,10 @@ TEST(SuiteSpec, TakesTheRightKeyOnly) {
   EXPECT_EQ(read_suite_key(files.write("key", "  " + files.key() + "\r\n"), suite), files.key());
   const std::string other(64, 'b');
   const std::string message = message_of([&] { read_suite_key(files.write("key", other), suite); });
-  EXPECT_TRUE(has(message, "is another key than that of small-1")) << message;
+  EXPECT_TRUE(has(message, "is not the key of small-1")) << message;
   EXPECT_FALSE(has(message, other)) << message;  // keys are no text for logs
   EXPECT_TRUE(has(message_of([&] { read_suite_key(files.write("key", "secret"), suite); }),
-                  "is no key: expected 64 hexadecimal digits"));
+                  "is not a key: expected 64 hexadecimal digits"));
 }
 
 /// The hashes that avoidbench-1 was announced with.

@@ -58,9 +58,8 @@ TEST(PlannerTallies, CountsTrialsInWhichAPlannerNeverFlew) {
   EXPECT_EQ(counts.at("fine").silent, 0);
   const auto warnings = tallies.warnings({{"none", "None"}, {"fine", "F"}, {"blind", "B"}}, "{}");
   ASSERT_EQ(warnings.size(), 2U);
-  EXPECT_TRUE(
-      warnings[0].starts_with("B stood still until the time was up in 2 of 3 trials "
-                              "(mean speed below 0.1 m/s)"))
+  EXPECT_TRUE(warnings[0].starts_with(
+      "B hovered until the time limit in 2 of 3 trials (mean speed below 0.1 m/s)"))
       << warnings[0];
   EXPECT_EQ(warnings[1], "B gave no command at all in 1 of 3 trials");
 }

@@ -215,7 +215,7 @@ def fly(cluster, program, scripts, sweep, folder):
     log = (folder / f"merged.shards/logs/avoidbench-{array}_1.log").read_text()
     if "stopped; run the same command again" not in log or "queues again" not in log:
         raise RuntimeError(f"element 1 was not stopped and queued again:\n{log}")
-    if "trials were there already" not in log:
+    if "trials are already in the database" not in log:
         raise RuntimeError(f"element 1 began anew:\n{log}")
     restarts = cluster.tell("scontrol", "show", "job", f"{array}_2")
     if "Restarts=1" not in restarts:

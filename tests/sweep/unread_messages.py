@@ -122,7 +122,7 @@ class Unread:
             os.killpg(process.pid, signal.SIGHUP)
         text = process.stderr.read().decode()
         self.expect("a terminal that went away", process, "hang_up.db", codes=(0, 75))
-        if process.returncode == 75 and "run the same command again to go on" not in text:
+        if process.returncode == 75 and "run the same command again to resume" not in text:
             self.problem(f"SIGHUP and no word of what to do: {text[-300:]!r}")
         process = self.start(
             "nohup.db", subprocess.PIPE, preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN)

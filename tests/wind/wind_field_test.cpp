@@ -98,20 +98,21 @@ TEST(WindField, WhatIsWrongIsToldWithItsPlace) {
   const std::string good = field_text([](double, double) { return 1.0; });
   EXPECT_EQ(complaint(good, "", ""), "");
   EXPECT_EQ(complaint(good, "n_x: 4", "n_x: 4.5"),
-            "f.txt:4:6: n_x: no whole number from 1 to 10000");
+            "f.txt:4:6: n_x: not a whole number from 1 to 10000");
   EXPECT_EQ(complaint(good, "n_x: 4", "n_x: 5"), "f.txt:9:1: bottom_z: 12 numbers, not 15");
   EXPECT_EQ(complaint(good, "res_x: 5", "res_x: 0"), "f.txt:6:8: res_x: not above 0");
   EXPECT_EQ(complaint(good, "min_y: 1\n", ""), "f.txt: lacks 'min_y:'");
   EXPECT_EQ(complaint(good, "min_y:", "min_z:"),
-            "f.txt:3:1: 'min_z' is no key (did you mean min_x?)");
-  EXPECT_EQ(complaint(good, "min_y: 1", "min_x: 1"), "f.txt:3:1: min_x: stands twice");
+            "f.txt:3:1: 'min_z' is not a key (did you mean min_x?)");
+  EXPECT_EQ(complaint(good, "min_y: 1", "min_x: 1"), "f.txt:3:1: min_x: is given twice");
   EXPECT_EQ(complaint(good, "0 0.25 1", "0 0.25 0.2"),
             "f.txt:8:34: vertical_spacing_factors: not above the one before");
   EXPECT_EQ(complaint(good, "top_z: 9", "top_z: 1"),
             "f.txt:10:8: top_z: not above the same column's bottom_z");
   EXPECT_EQ(complaint(good, "min_y: 1", "min_y: nan"),
-            "f.txt:3:8: min_y: 'nan' is no finite number");
-  EXPECT_EQ(complaint(good, "min_y: 1", "min_y: 1m"), "f.txt:3:8: min_y: '1m' is no finite number");
+            "f.txt:3:8: min_y: 'nan' is not a finite number");
+  EXPECT_EQ(complaint(good, "min_y: 1", "min_y: 1m"),
+            "f.txt:3:8: min_y: '1m' is not a finite number");
   EXPECT_EQ(complaint("3", "", ""), "f.txt:1:1: a number before the first 'key:'");
   EXPECT_EQ(complaint("", "", ""), "f.txt: lacks 'min_x:'");
 }

@@ -53,9 +53,9 @@ TEST(YamlTree, SyntaxErrorsSayWhatTheyAre) {
             "f.yaml:2:4: " + start + "'{' is never closed by '}'");
   EXPECT_EQ(parse_problems("a: é[, {b: [1, 2}]\n").find("f.yaml:1:"), 0U);
   EXPECT_EQ(parse_problems("a: [1, {b: 2]}\n"),
-            "f.yaml:1:13: " + start + "']' where '}' is due for the '{' of line 1, column 8");
+            "f.yaml:1:13: " + start + "']' where '}' is expected for the '{' of line 1, column 8");
   EXPECT_EQ(parse_problems("a:\n\tb: 1\n"),
-            "f.yaml:2:1: " + start + "a tab indents this line; YAML takes spaces only");
+            "f.yaml:2:1: " + start + "a tab indents this line; YAML allows only spaces");
   EXPECT_EQ(parse_problems("a: 1\nb: [2, \"no end]\nc: 2\n"),
             "f.yaml:2:8: " + start + "the quote \" is never closed");
   EXPECT_EQ(parse_problems("a: &x [1\n"), "f.yaml:1:7: " + start + "'[' is never closed by ']'");
@@ -128,7 +128,7 @@ TEST(YamlTree, RefusesWhatIsTooDeepOrTooLarge) {
   for (int i = 0; i < 49'000; ++i) long_text += ", *a";
   EXPECT_NE(parse_problems(long_text + "]\n").find("more than 20 MB of text, aliases expanded"),
             std::string::npos);
-  EXPECT_EQ(parse_problems("a: &a [*a]\n"), "f.yaml:1:8: an alias within what it stands for");
+  EXPECT_EQ(parse_problems("a: &a [*a]\n"), "f.yaml:1:8: an alias within its own anchor");
 }
 
 TEST(YamlTree, UnreadableFiles) {
@@ -136,7 +136,7 @@ TEST(YamlTree, UnreadableFiles) {
             "/nowhere/f.yaml: no such file");
   EXPECT_EQ(test::message_of([] { read_yaml("/tmp"); }), "/tmp: is a folder, not a file");
   EXPECT_EQ(test::message_of([] { read_yaml("/dev/zero"); }),
-            "/dev/zero: is a device, not a regular file: write what it gives to a file first");
+            "/dev/zero: is a device, not a regular file: write its output to a file first");
 }
 
 /// Bytes of a good document changed, removed, repeated at random: an answer or an InputError,

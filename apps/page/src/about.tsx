@@ -1,5 +1,6 @@
 // What the page is of: commands, versions, digests, dates.
 import type { ComponentChildren, JSX } from "preact";
+import { Name } from "./chart";
 import type { PageData, Sweep } from "./data";
 import { ScrollTable } from "./figure";
 
@@ -16,7 +17,7 @@ export function About({ page, sweep }: { page: PageData; sweep: Sweep | null }):
       "flights",
       page.flights_left_out ? (
         <>
-          {page.flights.length} are in this page, {page.flights_left_out} had no room (<code>--page-size</code>)
+          {page.flights.length} are in this page, {page.flights_left_out} did not fit (<code>--page-size</code>)
         </>
       ) : null,
     ],
@@ -60,13 +61,15 @@ export function About({ page, sweep }: { page: PageData; sweep: Sweep | null }):
           <ScrollTable label="Planners" head={["label", "name", "version", "SHA-256 of its file", "parameters"]}>
             {sweep.planners.map((p) => (
               <tr>
-                <td>{p.label}</td>
+                <td>
+                  <Name text={p.label} />
+                </td>
                 <td>
                   {p.name}
                   {p.is_privileged ? " (sees the world itself)" : ""}
                 </td>
                 <td>{p.version}</td>
-                <td>
+                <td data-value={p.digest}>
                   <code title={p.digest}>{p.digest.slice(0, 16)}…</code>
                 </td>
                 <td class="wrap">
@@ -85,7 +88,7 @@ export function About({ page, sweep }: { page: PageData; sweep: Sweep | null }):
               <tr>
                 <td>{m.text}</td>
                 <td class="number">{m.traversability?.toPrecision(4) ?? "–"}</td>
-                <td>
+                <td data-value={m.digest}>
                   <code title={m.digest}>{m.digest.slice(0, 16)}…</code>
                 </td>
               </tr>
@@ -94,7 +97,7 @@ export function About({ page, sweep }: { page: PageData; sweep: Sweep | null }):
         </>
       ) : null}
       <p class="note">
-        This file needs no network and asks for none. Links with what stands after # show the same view again.
+        This file needs no network and uses none. Links that include the part after # show the same view again.
       </p>
     </section>
   );

@@ -1,10 +1,11 @@
 // The page of a board: results of a suite side by side, how fast they reach their goals, what flew, and where its flights are.
 import type { JSX } from "preact";
-import type { Line } from "./charts";
-import { Legend, LineChart } from "./charts";
+import { Legend, Name, Planners } from "./chart";
 import type { BoardData, BoardResult, Look } from "./data";
 import { lookOf, outcomeText } from "./data";
 import { Figure, ScrollTable } from "./figure";
+import type { Line } from "./lines";
+import { LineChart } from "./lines";
 import { Report } from "./report";
 
 interface Shown {
@@ -61,7 +62,7 @@ function Results({ shown }: { shown: Shown[] }): JSX.Element {
       {shown.map(({ result }) => (
         <tr data-result={result.label}>
           <td>
-            {result.label}
+            <Name text={result.label} />
             {result.is_privileged ? <span class="note"> sees the map: no competitor</span> : null}
           </td>
           <td>
@@ -92,14 +93,21 @@ function Results({ shown }: { shown: Shown[] }): JSX.Element {
 
 export function Board({ board }: { board: BoardData }): JSX.Element {
   const shown = board.results.map((result, i) => ({ result, look: lookOf(i, result.label) }));
+  // Tables say of some that they see the map.
+  const places = shown.flatMap(({ result }, i): [string, number][] => [
+    [result.label, i],
+    [`${result.label} (sees the map)`, i],
+  ]);
   return (
-    <section class="board" data-board={board.title}>
-      <h2>{board.title}</h2>
-      {board.tables.map((table) => (
-        <Report table={table} open={table.name === "scores"} />
-      ))}
-      <Curves shown={shown} />
-      <Results shown={shown} />
-    </section>
+    <Planners.Provider value={new Map(places)}>
+      <section class="board" data-board={board.title}>
+        <h2>{board.title}</h2>
+        {board.tables.map((table) => (
+          <Report table={table} open={table.name === "scores"} />
+        ))}
+        <Curves shown={shown} />
+        <Results shown={shown} />
+      </section>
+    </Planners.Provider>
   );
 }

@@ -115,6 +115,9 @@ export interface FlightData {
   status: [number, number][];
   sweep?: number;
   trial?: number;
+  /** What explain knows of a failure, by the names that it gives; no page has it so far. */
+  facts?: Record<string, number | null>;
+  explanation?: string;
   world: number | null;
   rig: number;
   goal_radius: number;
@@ -317,14 +320,20 @@ export const outcomeText = (word: string): string => word.replaceAll("_", " ");
 const kPlannerColors = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000"];
 // The same hues, as bright as a dark ground needs them.
 const kBrightColors = ["#51a5e7", "#fb8b49", "#32cea0", "#e99cc9", "#ffcc54", "#9adcff", "#f4f4f4"];
-let isDark = false;
-/** Before anything is drawn. */
-export const setDark = (dark: boolean): void => {
-  isDark = dark;
-};
 export const kDashes = ["", "6 3", "2 3", "8 3 2 3", "1 3", "10 4", "4 2 1 2", "3 5"];
-export const plannerColor = (i: number): string => (isDark ? kBrightColors : kPlannerColors)[i % kPlannerColors.length];
-const kOutcomeColors = ["#0b8f6f", "#d55e00", "#c979af", "#e69f00", "#a5a138", "#56b4e9", "#555555", "#999999"];
+/** As a variable of the style, whose value showTheme() sets: charts need not be drawn again. */
+export const plannerColor = (i: number): string => `var(--planner-${i % kPlannerColors.length})`;
+export type Theme = "light" | "dark";
+export const plannerHex = (i: number, theme: Theme): string =>
+  (theme === "dark" ? kBrightColors : kPlannerColors)[i % kPlannerColors.length];
+export const currentTheme = (): Theme => (document.documentElement.dataset.theme === "dark" ? "dark" : "light");
+export function showTheme(theme: Theme): void {
+  const root = document.documentElement;
+  root.dataset.theme = theme;
+  for (const i of kPlannerColors.keys()) root.style.setProperty(`--planner-${i}`, plannerHex(i, theme));
+}
+// None is like a planner's on either ground, as tests/page/check_colors.py counts likeness.
+const kOutcomeColors = ["#9eb97d", "#b60121", "#6b43bd", "#a2804a", "#607978", "#766237", "#8b3179", "#415855"];
 export const outcomeColor = (i: number): string => kOutcomeColors[i % kOutcomeColors.length];
 
 /** How a planner is drawn, and its name. */

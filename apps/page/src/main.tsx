@@ -2,11 +2,11 @@
 
 import type { ComponentChildren, JSX } from "preact";
 import { Component, render } from "preact";
-import { useEffect, useMemo, useState } from "preact/hooks";
+import { useEffect, useLayoutEffect, useMemo, useRef, useState } from "preact/hooks";
 import { About } from "./about";
 import { Board } from "./board";
-import { Swatch } from "./charts";
-import type { FlightData, PageData, Sweep } from "./data";
+import { Planners, Swatch } from "./chart";
+import type { FlightData, PageData, Sweep, Theme } from "./data";
 import {
   digits,
   goalsOf,
@@ -17,15 +17,18 @@ import {
   plannerColor,
   readPage,
   readSweep,
-  setDark,
+  showTheme,
 } from "./data";
 import { Overview } from "./overview";
-import type { Entry, Scene } from "./replay";
+import { watchPaper } from "./paper";
+import type { Entry, Neighbours, Scene } from "./replay";
 import { Replay } from "./replay";
 import type { Facet, View } from "./state";
 import { chosenTrials, facetId, facetsOf, kUsualView, linkOfView, viewOfLink } from "./state";
-import { TrialTable } from "./trials";
+import { TrialTable, useOrder } from "./trials";
 import "./style.css";
+import "./replay.css";
+import "./paper.css";
 
 /** The mission of a trial with all its flights that are in the page; null where its own is not. */
 function sceneOfTrial(page: PageData, sweep: Sweep, trial: number): Scene | null {
@@ -70,6 +73,18 @@ function sceneOfTrial(page: PageData, sweep: Sweep, trial: number): Scene | null
   };
 }
 
+function neighboursOf(sweep: Sweep, order: Int32Array, trial: number, open: (trial: number) => void): Neighbours {
+  const flown = order.filter((i) => sweep.t.flight[i] >= 0);
+  const at = flown.indexOf(trial);
+  // From a trial that the filters hide, the next one is their first.
+  const step = (to: number): (() => void) | null => (to < 0 || to >= flown.length ? null : () => open(flown[to]));
+  return {
+    text: at < 0 ? `${flown.length} trials` : `${at + 1} of ${flown.length}`,
+    next: step(at + 1),
+    previous: step(at - 1),
+  };
+}
+
 /** The one scene of a page of a flight or of a map. */
 function sceneOfPage(page: PageData): Scene {
   const entry = (data: FlightData, i: number): Entry => {
@@ -101,6 +116,17 @@ function sceneOfPage(page: PageData): Scene {
   };
 }
 
+/** What the filters and the search let through, for paper. */
+function wordsOf(facets: Facet[], view: View): string[] {
+  const words = facets
+    .filter((f) => view.filters[f.name]?.length)
+    .map((f) => {
+      const values = f.values.filter((_, i) => view.filters[f.name].includes(facetId(f, i)));
+      return `${f.title.toLowerCase()} ${values.map(f.name === "outcome" ? outcomeText : String).join(" or ")}`;
+    });
+  return view.search ? [...words, `search “${view.search}”`] : words;
+}
+
 function Filters(props: {
   sweep: Sweep;
   facets: Facet[];
@@ -120,6 +146,7 @@ function Filters(props: {
     set(facet, chosen.includes(id) ? chosen.filter((c) => c !== id) : [...chosen, id]);
   };
   const seen = new Set(sweep.t.outcome);
+  const chosen = wordsOf(facets, view);
   const isFiltered = Object.keys(view.filters).length > 0 || view.search !== "";
   return (
     <form class="filters" aria-label="Filters" onSubmit={(e) => e.preventDefault()}>
@@ -184,6 +211,7 @@ function Filters(props: {
         <span class="shown" aria-live="polite">
           {props.count} of {sweep.t.count} trials
         </span>
+        <span class="on-paper">{chosen.length ? `with ${chosen.join("; ")}` : ""}</span>
         {isFiltered ? (
           <button type="button" onClick={() => change({ filters: {}, search: "" })}>
             Show all
@@ -212,8 +240,9 @@ function Warnings({ sweep }: { sweep: Sweep }): JSX.Element | null {
   );
 }
 
-function usedTheme(view: View): string {
-  return view.theme || (window.matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");
+function usedTheme(view: View): Theme {
+  const usual = window.matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light";
+  return (view.theme || usual) as Theme;
 }
 
 interface Shown {
@@ -282,12 +311,12 @@ function SweepPage({ page, view, change }: Shown): JSX.Element {
   const facets = useMemo(() => facetsOf(sweep), [sweep]);
   const chosen = useMemo(() => chosenTrials(sweep, facets, view), [sweep, facets, view.filters, view.search]);
   const trial = useMemo(() => (view.trial ? sweep.t.key.indexOf(view.trial) : -1), [sweep, view.trial]);
-  const scene = useMemo(
-    () => (trial < 0 ? null : sceneOfTrial(page, sweep, trial)),
-    [page, sweep, trial, usedTheme(view)],
-  );
+  const scene = useMemo(() => (trial < 0 ? null : sceneOfTrial(page, sweep, trial)), [page, sweep, trial]);
+  const looks = useMemo(() => new Map(sweep.planners.map((p, i): [string, number] => [p.label, i])), [sweep]);
   const open = (i: number): void => change({ tab: "replay", trial: sweep.t.key[i], time: null });
   const close = (): void => change({ tab: "trials" });
+  const { columns, order } = useOrder(sweep, chosen, view);
+  const neighbours = useMemo(() => neighboursOf(sweep, order, trial, open), [sweep, order, trial]);
   const date = sweep.runs[0]?.date ?? "";
   const tabs: [string, string][] = [
     ["overview", "Overview"],
@@ -323,20 +352,32 @@ function SweepPage({ page, view, change }: Shown): JSX.Element {
       subtitle={`${sweep.title.replace(/^Sweep [^:]*: /, "")}${date ? ` · ${date.slice(0, 10)}` : ""}`}
       sweeps={sweeps}
     >
-      {tab === "overview" ? <Warnings sweep={sweep} /> : null}
-      {tab === "overview" || tab === "trials" ? (
-        <Filters sweep={sweep} facets={facets} view={view} count={chosen.length} change={change} />
-      ) : null}
-      {tab === "overview" ? <Overview sweep={sweep} chosen={chosen} view={view} change={change} open={open} /> : null}
-      {tab === "trials" ? <TrialTable sweep={sweep} chosen={chosen} view={view} change={change} open={open} /> : null}
-      {tab === "about" ? <About page={page} sweep={sweep} /> : null}
-      {tab === "replay" ? (
-        scene ? (
-          <Replay page={page} view={view} change={change} scene={scene} theme={usedTheme(view)} close={close} />
-        ) : (
-          <NoFlight sweep={sweep} trial={trial} page={page} close={close} />
-        )
-      ) : null}
+      <Planners.Provider value={looks}>
+        {tab === "overview" ? <Warnings sweep={sweep} /> : null}
+        {tab === "overview" || tab === "trials" ? (
+          <Filters sweep={sweep} facets={facets} view={view} count={chosen.length} change={change} />
+        ) : null}
+        {tab === "overview" ? <Overview sweep={sweep} chosen={chosen} view={view} change={change} open={open} /> : null}
+        {tab === "trials" ? (
+          <TrialTable sweep={sweep} columns={columns} order={order} view={view} change={change} open={open} />
+        ) : null}
+        {tab === "about" ? <About page={page} sweep={sweep} /> : null}
+        {tab === "replay" ? (
+          scene ? (
+            <Replay
+              page={page}
+              view={view}
+              change={change}
+              scene={scene}
+              theme={usedTheme(view)}
+              close={close}
+              neighbours={neighbours}
+            />
+          ) : (
+            <NoFlight sweep={sweep} trial={trial} page={page} close={close} />
+          )
+        ) : null}
+      </Planners.Provider>
     </Frame>
   );
 }
@@ -348,8 +389,8 @@ function NoFlight(props: { sweep: Sweep; trial: number; page: PageData; close: (
       <button onClick={close}>← Trials</button>
       <h2>The flight of trial {sweep.t.id[trial]} is not in this page</h2>
       <p>
-        {page.flights_left_out ? "There was no room for it: --page-size makes more. " : "It has no stored path. "}To fly
-        it again into a page of its own:
+        {page.flights_left_out ? "It did not fit: --page-size makes the page larger. " : "It has no stored path. "}To
+        fly it again into its own page:
       </p>
       <pre>avoidbench replay DATABASE {sweep.t.key[trial]} --page flight.html</pre>
     </section>
@@ -357,7 +398,7 @@ function NoFlight(props: { sweep: Sweep; trial: number; page: PageData; close: (
 }
 
 function OnePage({ page, view, change }: Shown): JSX.Element {
-  const scene = useMemo(() => sceneOfPage(page), [page, usedTheme(view)]);
+  const scene = useMemo(() => sceneOfPage(page), [page]);
   const [mission, setMission] = useState(0);
   const shown = useMemo(() => {
     const m = scene.missions[mission];
@@ -439,10 +480,10 @@ function App({ page }: { page: PageData }): JSX.Element {
       else history.replaceState(null, "", link);
       return next;
     });
-  setDark(usedTheme(view) === "dark");
-  useEffect(() => {
-    document.documentElement.dataset.theme = usedTheme(view);
-  }, [view.theme]);
+  useLayoutEffect(() => showTheme(usedTheme(view)), [view.theme]);
+  const shown = useRef(view);
+  shown.current = view;
+  useEffect(() => watchPaper(() => usedTheme(shown.current)), []);
   useEffect(() => {
     window.scrollTo(0, 0);
   }, [view.tab]);
@@ -470,7 +511,7 @@ class Guard extends Component<{ children: ComponentChildren }, { problem: string
 const root = document.getElementById("app")!;
 root.textContent = "";
 try {
-  document.documentElement.dataset.theme = usedTheme(viewOfLink(location.hash));
+  showTheme(usedTheme(viewOfLink(location.hash)));
   const page = readPage();
   render(
     <Guard>

@@ -1,12 +1,16 @@
 // The overview: charts of the trials that the filters let through, then the report's own tables.
 import type { JSX } from "preact";
 import { useMemo } from "preact/hooks";
-import type { Bar, Box, Line, Mark } from "./charts";
-import { BarChart, BoxChart, IntervalChart, Legend, LineChart } from "./charts";
+import { Legend } from "./chart";
+import type { Bar, Box, Mark } from "./charts";
+import { BarChart, BoxChart, IntervalChart } from "./charts";
 import type { Look, Sweep } from "./data";
 import { digits, isFinished, lookOf, metricWords, outcomeColor, outcomeText, percent } from "./data";
 import { Figure, ScrollTable } from "./figure";
+import type { Line } from "./lines";
+import { LineChart } from "./lines";
 import { Contrasts, columnsOf, Limits, number, Report } from "./report";
+import { Scatter } from "./scatter";
 import type { View } from "./state";
 import { logisticFit, quantile, successInterval } from "./stats";
 
@@ -143,6 +147,7 @@ function Difficulty({ sweep, chosen, groups }: Props): JSX.Element | null {
         x={[low, high]}
         y={[0, 1]}
         percent
+        ends
         xUnit="normalised traversability"
         label="Success rates of the maps against their traversability, by planner; its numbers are in the table below"
       />
@@ -273,6 +278,7 @@ function Arrivals({ sweep, chosen, groups }: Props): JSX.Element {
         y={[0, 1]}
         percent
         step
+        ends
         xUnit="s"
         height={230}
         label="Share of trials that has arrived over time, by planner"
@@ -376,13 +382,13 @@ function Reasons({ sweep, chosen, groups, open }: Props): JSX.Element | null {
       name="reasons"
       wide
       title={cause ? "Causes of failures" : "Reasons of failures"}
-      note={`${cause ? "As avoidbench explain tells them, with the outcome" : "Reasons that differ in their numbers only count as one"}${sorted.length > shown.length ? `; the ${shown.length} most frequent of ${sorted.length}` : ""}.`}
+      note={`${cause ? "As found by avoidbench explain, with the outcome" : "Reasons that differ only in numbers count as one"}${sorted.length > shown.length ? `; the ${shown.length} most frequent of ${sorted.length}` : ""}.`}
       numbers={{
         head: ["reason", "trials", ...groups.map(({ look }) => look.label)],
         rows: sorted.map(([name, g]) => [name, g.count, ...groups.map(({ planner }) => g.parts.get(planner) ?? 0)]),
       }}
     >
-      <Legend items={groups.map(({ look: { label, color } }) => ({ label, color }))} />
+      <Legend items={groups.map(({ look: { label, color, shape } }) => ({ label, color, shape }))} />
       <BarChart
         label="Reasons of failures; their numbers are in the table below"
         bars={shown.map(([name, g]) => ({
@@ -426,6 +432,7 @@ function Grid({ sweep, groups, view, change }: Props): JSX.Element | null {
       <ScrollTable
         class="grid"
         label="Success by map and planner"
+        right={[false, true]}
         head={["map", "traversability", ...groups.map(({ look }) => look.label)]}
       >
         {maps.map((map) => (
@@ -481,11 +488,12 @@ export function Overview(given: OverviewProps): JSX.Element {
         <Reasons {...props} />
         {isMixed ? null : <Arrivals {...props} />}
         <Contrasts {...props} />
+        <Scatter {...props} />
       </section>
       {isMixed ? (
         <p class="note">
-          Most trials lie near the limits, at other values for each planner: rates and metrics of all would say nothing
-          of them. Choose a value of {sweep.limit!.field} to see those.
+          Most trials are near the limits, at different values for each planner: rates and metrics over all of them
+          would mean nothing. Choose a value of {sweep.limit!.field} to see them.
         </p>
       ) : (
         <section aria-label="Metrics">
@@ -516,8 +524,8 @@ export function Overview(given: OverviewProps): JSX.Element {
       <section class="tables" aria-label="Tables of the report">
         <h2>Tables of the report</h2>
         <p class="note">
-          Of all {sweep.t.count} trials, whatever the filters say; <code>report --format json</code> has the same
-          numbers. Hover a number for all its digits, a heading for what it means.
+          Of all {sweep.t.count} trials, regardless of the filters; <code>report --format json</code> has the same
+          numbers. Hover over a number for all its digits, over a heading for its meaning.
         </p>
         {tables}
       </section>

@@ -1,26 +1,17 @@
 // Speed, clearance and commands of a flight over time.
 import type { JSX } from "preact";
 import { useMemo } from "preact/hooks";
-import type { Line } from "./charts";
-import { TimeChart } from "./charts";
 import type { Seen } from "./data";
-import { kDashes } from "./data";
+import type { Line } from "./lines";
+import { TimeChart } from "./lines";
 import { deltasOf, floatsOf } from "./packed";
-import type { Scene } from "./replay";
+import type { Entry, Scene } from "./replay";
 import type { Track } from "./viewer";
 
-/** The `k`-th of the flights beside, or the main one. */
-function lineOf(of: { label: string; color: string }, t: ArrayLike<number>, v: ArrayLike<number>, k = -1): Line {
+function lineOf(of: Entry, t: ArrayLike<number>, v: ArrayLike<number>): Line {
   const points = Array.from(v, (value, i): [number, number] => [t[i], value]).filter((p) => Number.isFinite(p[1]));
-  const isMain = k < 0;
-  return {
-    label: of.label,
-    color: of.color,
-    shape: 0,
-    dash: isMain ? "" : kDashes[k % kDashes.length],
-    width: isMain ? 2.2 : 1.2,
-    points,
-  };
+  const { label, color, shape, dash, isMain } = of;
+  return { label, color, shape, dash: isMain ? "" : dash, width: isMain ? 2.2 : 1.2, points };
 }
 
 /** Charts over time below a replay. */
@@ -36,7 +27,7 @@ export function Plots(props: {
   const shown = tracks.filter((t) => !hidden.has(t.label)).sort((a, b) => Number(a.isMain) - Number(b.isMain));
   const name = shown.map((t) => t.label).join("\n");
   const of = (value: (t: Track) => ArrayLike<number>): Line[] =>
-    shown.map((t) => lineOf(t, t.flight.t, value(t), t.isMain ? -1 : tracks.indexOf(t)));
+    shown.map((t) => lineOf(scene.entries[tracks.indexOf(t)], t.flight.t, value(t)));
   const speed = useMemo(() => of((t) => t.flight.speed), [name, tracks]);
   const clearance = useMemo(() => of((t) => t.flight.clearance), [name, tracks]);
   const main = tracks.find((t) => t.isMain)!;
@@ -72,7 +63,7 @@ export function Plots(props: {
       status === 0 ? [] : [[from, changes[i + 1]?.[0] ?? main.flight.end_s] as [number, number]],
     );
   }, [scene]);
-  const common = { time: props.time, end: props.end, seek: props.seek };
+  const common = { name: `trial ${entry.id}`, time: props.time, end: props.end, seek: props.seek };
   return (
     <div class="plots">
       <TimeChart title="Speed" unit="m/s" lines={speed} {...common} />
@@ -82,7 +73,7 @@ export function Plots(props: {
       ))}
       <p class="note">
         {spans.length ? "Shaded: the planner answered without a command. " : ""}Clearance is to the nearest surface, 5 m
-        at most{scene.seen ? "" : "; between two samples shown the least is told"}.
+        at most{scene.seen ? "" : "; between two samples, the smallest value is shown"}.
       </p>
     </div>
   );

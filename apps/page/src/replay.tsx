@@ -1,12 +1,14 @@
 // A mission in 3-D with all its flights, plots below and one time slider.
 import type { JSX } from "preact";
-import { useEffect, useMemo, useRef, useState } from "preact/hooks";
-import { Swatch } from "./charts";
-import type { FlightData, Look, MissionData, PageData, Seen, Vector } from "./data";
-import { digits, outcomeText } from "./data";
+import { useEffect, useLayoutEffect, useMemo, useRef, useState } from "preact/hooks";
+import { Swatch } from "./chart";
+import type { FlightData, Look, MissionData, PageData, Seen, Theme, Vector } from "./data";
+import { digits, outcomeText, plannerHex } from "./data";
 import { readFlight, stateAt } from "./flight";
+import { usePaper } from "./paper";
 import { Plots } from "./plots";
 import { latest, paint, pointsOf } from "./seen";
+import { Slider, ticksOf } from "./slider";
 import type { View } from "./state";
 import type { CameraMode, PathColor, Track } from "./viewer";
 import { kScaleColors, Viewer } from "./viewer";
@@ -31,6 +33,21 @@ export interface Scene {
   seen: Seen | null;
   missions: MissionData[];
 }
+/** The trials before and after this one that have a flight, as the table sorts and filters them. */
+export interface Neighbours {
+  text: string;
+  /** One step on or back; null where there is none. */
+  next: (() => void) | null;
+  previous: (() => void) | null;
+}
+
+/** A failed flight begins so long before its end. */
+const kBeforeEnd_s = 3;
+function beginningOf(scene: Scene, tracks: Track[]): number {
+  const failed = scene.entries.some((e) => e.isMain && e.outcome !== "reached_goal");
+  const end = tracks.find((t) => t.isMain)?.flight.end_s ?? 0;
+  return failed ? Math.max(0, end - kBeforeEnd_s) : 0;
+}
 
 const kModes: [CameraMode, string][] = [
   ["orbit", "Free"],
@@ -38,14 +55,15 @@ const kModes: [CameraMode, string][] = [
   ["top", "Top"],
 ];
 const kColors: [PathColor, string][] = [
+  ["planner", "Planner"],
   ["speed", "Speed"],
   ["clearance", "Clearance"],
-  ["planner", "Planner"],
 ];
 const kKeys: [string, string][] = [
   ["space", "play or stop"],
   ["← →", "a tenth of a second; with shift a second"],
   ["Home End", "begin, end"],
+  ["n p", "next and previous trial"],
   ["1 2 3", "free camera, follow, top"],
   ["c", "colours of the paths"],
   [", .", "slower, faster"],
@@ -80,9 +98,10 @@ export function Replay(props: {
   page: PageData;
   scene: Scene;
   view: View;
-  theme: string;
+  theme: Theme;
   change: (part: Partial<View>) => void;
   close: (() => void) | null;
+  neighbours?: Neighbours;
 }): JSX.Element {
   const { page, scene, theme, view } = props;
   const canvas = useRef<HTMLCanvasElement>(null);
@@ -91,21 +110,20 @@ export function Replay(props: {
   const [failure, setFailure] = useState("");
   // Counts the viewers: what is shown in one is put into the next, too.
   const [remade, setRemade] = useState(0);
-  const [time, setTime] = useState(view.time ?? 0);
   const [playing, setPlaying] = useState(false);
   const [rate, setRate] = useState(1);
   const [hidden, setHidden] = useState<Set<string>>(new Set());
   const [layers, setLayers] = useState({ points: true, drawings: true, inset: true });
-  const [labels, setLabels] = useState<{ label: string; color: string; x: number; y: number }[]>([]);
+  const [labels, setLabels] = useState<Label[]>([]);
   const mode = (kModes.find(([m]) => m === view.camera)?.[0] ?? "orbit") as CameraMode;
-  const color = (kColors.find(([c]) => c === view.color)?.[0] ?? "speed") as PathColor;
+  const color = (kColors.find(([c]) => c === view.color)?.[0] ?? "planner") as PathColor;
 
   const tracks = useMemo(
     () =>
       scene.entries.map(
         (e): Track => ({
           label: e.label,
-          color: e.color,
+          color: plannerHex(e.shape, theme),
           flight: readFlight(e.data),
           rig: page.rigs[e.data.rig] ?? { body: [0.5, 0.5, 0.2], cameras: [] },
           isMain: e.isMain,
@@ -113,8 +131,17 @@ export function Replay(props: {
           struck: e.data.touches,
         }),
       ),
-    [scene],
+    [scene, theme],
   );
+  const [time, setTime] = useState(() => view.time ?? beginningOf(scene, tracks));
+  // Another trial, in the same viewer.
+  const begun = useRef(scene);
+  useLayoutEffect(() => {
+    if (begun.current === scene) return;
+    begun.current = scene;
+    setPlaying(false);
+    setTime(view.time ?? beginningOf(scene, tracks));
+  }, [scene]);
   const main = tracks.find((t) => t.isMain);
   // A map of its own has time only where something moves.
   const hasMotion = scene.world !== null && (page.worlds[scene.world]?.motions.length ?? 0) > 0;
@@ -219,6 +246,8 @@ export function Replay(props: {
         props.change({ color: kColors[(kColors.findIndex(([k]) => k === color) + 1) % kColors.length][0] });
       else if (e.key === ",") setRate((r) => Math.max(r / 2, 0.125));
       else if (e.key === ".") setRate((r) => Math.min(r * 2, 8));
+      else if (e.key === "n" && props.neighbours) props.neighbours.next?.();
+      else if (e.key === "p" && props.neighbours) props.neighbours.previous?.();
       else if (e.key === "Escape" && props.close) props.close();
       else return;
       e.preventDefault();
@@ -227,7 +256,11 @@ export function Replay(props: {
     return () => window.removeEventListener("keydown", keys);
   });
 
+  // Not every browser prints a canvas.
+  const paper = usePaper();
+  const picture = useMemo(() => (paper ? (viewer.current?.picture() ?? "") : ""), [paper]);
   const state = main?.flight.n ? stateAt(main.flight, time) : null;
+  const ticks = useMemo(() => ticksOf(scene.entries.find((e) => e.isMain)), [scene]);
   const range = viewer.current?.range ?? [0, 1];
   const layer = (name: keyof typeof layers, what: string): JSX.Element => (
     <label>
@@ -240,6 +273,7 @@ export function Replay(props: {
       <div class="replay-head">
         {props.close ? <button onClick={props.close}>← Trials</button> : null}
         {props.close ? <h2>{scene.title}</h2> : null}
+        {props.neighbours ? <Steps {...props.neighbours} /> : null}
       </div>
       <div class="replay-body">
         <div class="stage" ref={stage}>
@@ -251,6 +285,7 @@ export function Replay(props: {
             data-position={state ? state.position.map((v) => v.toFixed(3)).join(" ") : ""}
             data-time={time.toFixed(3)}
           />
+          {picture ? <img class="picture" src={picture} alt="The 3-D view as it was last" /> : null}
           {failure ? (
             <p class="failure" role="alert">
               {failure}
@@ -263,7 +298,7 @@ export function Replay(props: {
             </p>
           ) : null}
           <div class="names" aria-hidden="true">
-            {labels.map((l) => (
+            {unpiled(labels).map((l) => (
               <span style={{ left: `${l.x}px`, top: `${l.y}px`, borderColor: l.color }}>{l.label}</span>
             ))}
           </div>
@@ -314,6 +349,7 @@ export function Replay(props: {
                   {e.cause ? `: ${e.cause}` : ""}
                 </span>
                 {e.reason ? <span class="why">{e.reason}</span> : null}
+                {e.isMain && e.data.explanation ? <span class="why">{e.data.explanation}</span> : null}
               </li>
             ))}
           </ul>
@@ -369,17 +405,13 @@ export function Replay(props: {
               <button class="play" onClick={play} aria-pressed={playing}>
                 {playing ? "❚❚ Stop" : "▶ Play"}
               </button>
-              <input
-                type="range"
-                min={0}
-                max={end}
-                step={0.01}
-                value={time}
-                aria-label="Time, s"
-                aria-valuetext={`${time.toFixed(2)} seconds`}
-                onInput={(e) => {
+              <Slider
+                time={time}
+                end={end}
+                ticks={ticks}
+                seek={(t) => {
                   setPlaying(false);
-                  seek(Number(e.currentTarget.value));
+                  seek(t);
                 }}
               />
               <output>
@@ -427,6 +459,42 @@ export function Replay(props: {
       ) : null}
     </section>
   );
+}
+
+function Steps({ text, next, previous }: Neighbours): JSX.Element {
+  return (
+    <div class="steps" role="group" aria-label="Trials">
+      <button onClick={() => previous?.()} disabled={!previous} title="Key p">
+        ‹ Previous
+      </button>
+      <span class="note" aria-live="polite">
+        {text}
+      </span>
+      <button onClick={() => next?.()} disabled={!next} title="Key n">
+        Next ›
+      </button>
+    </div>
+  );
+}
+
+interface Label {
+  label: string;
+  color: string;
+  x: number;
+  y: number;
+}
+/** Names that would lie on others move up. */
+function unpiled(labels: Label[]): Label[] {
+  const height = 21;
+  const placed: Label[] = [];
+  for (const one of [...labels].sort((a, b) => b.y - a.y)) {
+    let y = one.y;
+    const half = (l: Label): number => Math.min(80, 12 + 3.6 * l.label.length);
+    const isBeside = (l: Label): boolean => Math.abs(l.x - one.x) < half(l) + half(one);
+    for (const other of placed) if (isBeside(other) && Math.abs(other.y - y) < height) y = other.y - height;
+    placed.push({ ...one, y });
+  }
+  return placed;
 }
 
 function Choice<Value extends string>(props: {

@@ -1,10 +1,13 @@
 // What the overview shows of all trials, whatever the filters say: limits, contrast factors, the report's tables.
 import type { JSX } from "preact";
-import type { Line, Mark } from "./charts";
-import { IntervalChart, Legend, LineChart } from "./charts";
+import { Legend, Name } from "./chart";
+import type { Mark } from "./charts";
+import { IntervalChart } from "./charts";
 import type { Cell, ReportTable, Sweep } from "./data";
 import { digits, limitValue, lookOf, percent } from "./data";
 import { Figure, ScrollTable } from "./figure";
+import type { Line } from "./lines";
+import { LineChart } from "./lines";
 
 interface Props {
   sweep: Sweep;
@@ -105,6 +108,7 @@ export function Limits({ sweep, chosen }: Props): JSX.Element | null {
           x={[rule.low, rule.high]}
           y={[0, 1]}
           percent
+          ends
           spread={0}
           level={rule.success_rate}
           xUnit={`${name}${rule.unit ? `, ${rule.unit}` : ""}`}
@@ -115,7 +119,7 @@ export function Limits({ sweep, chosen }: Props): JSX.Element | null {
         name="limits"
         hidden={hidden}
         title={limits.title}
-        note="With 95 % intervals; a line to the chart’s end goes on beyond it. Of all trials."
+        note="With 95 % intervals; a line to the chart’s end continues beyond it. Of all trials."
         numbers={{
           head: ["planner", "limit", "lower", "upper", "state", "trials"],
           rows: found.map((f) => [
@@ -190,6 +194,8 @@ export function Report({ table, open }: { table: ReportTable; open?: boolean }):
       </summary>
       <ScrollTable
         label={table.title || table.name}
+        right={columns.map((c) => table.rows.some((row) => typeof row.cells[c.i] === "number"))}
+        table={() => ({ head: table.columns.map((c) => c.name), rows: table.rows.map((row) => row.cells) })}
         head={columns.map((c) => (
           <span title={c.doc || c.name}>
             {c.header}
@@ -210,7 +216,7 @@ export function Report({ table, open }: { table: ReportTable; open?: boolean }):
                   data-value={cell === null ? "" : String(cell)}
                   title={isNumber ? String(cell) : undefined}
                 >
-                  {row.best.includes(c.i) ? <strong>{text}*</strong> : text}
+                  {row.best.includes(c.i) ? <strong>{text}*</strong> : c.place === "key" ? <Name text={text} /> : text}
                   {bounds(c.i) && (row.cells[c.i + 1] !== null || row.cells[c.i + 2] !== null) ? (
                     <span class="bounds">
                       {" "}

@@ -15,6 +15,9 @@ export interface View {
   color: string;
   theme: string;
   metric: string;
+  /** Of the scatter chart, by their ids. */
+  x: string;
+  y: string;
 }
 
 export const kUsualView: View = {
@@ -30,6 +33,8 @@ export const kUsualView: View = {
   color: "",
   theme: "",
   metric: "",
+  x: "",
+  y: "",
 };
 
 export function viewOfLink(link: string): View {
@@ -46,7 +51,7 @@ export function viewOfLink(link: string): View {
     else if (name === "camera") view.camera = value;
     else if (name === "color") view.color = value;
     else if (name === "theme") view.theme = value === "dark" || value === "light" ? value : "";
-    else if (name === "metric") view.metric = value;
+    else if (name === "metric" || name === "x" || name === "y") view[name] = value;
     else if (name.startsWith("f.")) view.filters[name.slice(2)] = value.split("|").map(decodeURIComponent);
   }
   return view;
@@ -65,7 +70,7 @@ export function linkOfView(view: View): string {
   put("q", view.search);
   put("sort", view.sort);
   put("down", view.down ? "1" : "");
-  put("metric", view.metric);
+  for (const name of ["metric", "x", "y"] as const) put(name, view[name]);
   put("theme", view.theme);
   put("trial", view.trial);
   if (view.trial && view.time !== null) words.set("t", view.time.toFixed(2));

@@ -159,3 +159,26 @@ export function ticks(low: number, high: number, count: number): number[] {
     all.push(Number((k * step).toPrecision(12)));
   return all;
 }
+
+/** Places within low to high, `gap` or more apart, in the order of those wanted and as near to them as can be. */
+export function apart(wanted: number[], gap: number, low: number, high: number): number[] {
+  const order = [...wanted.keys()].sort((a, b) => wanted[a] - wanted[b] || a - b);
+  // Less their gaps they only must not fall: those that would are put at their mean.
+  const blocks: { sum: number; count: number }[] = [];
+  const mean = (at: number): number => blocks[at].sum / blocks[at].count;
+  order.forEach((i, k) => {
+    blocks.push({ sum: wanted[i] - k * gap, count: 1 });
+    for (let at = blocks.length - 1; at > 0 && mean(at - 1) > mean(at); --at) {
+      const last = blocks.pop()!;
+      blocks[at - 1].sum += last.sum;
+      blocks[at - 1].count += last.count;
+    }
+  });
+  const most = high - (wanted.length - 1) * gap;
+  const starts = blocks.flatMap((b, at) => Array<number>(b.count).fill(Math.max(low, Math.min(mean(at), most))));
+  const places: number[] = [];
+  order.forEach((i, k) => {
+    places[i] = starts[k] + k * gap;
+  });
+  return places;
+}

@@ -1,12 +1,15 @@
 // The table of trials: only the rows that are seen are made, so that ten thousand scroll.
 import type { JSX } from "preact";
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
-import { Swatch } from "./charts";
+import { Swatch } from "./chart";
 import type { Sweep } from "./data";
 import { digits, metricWords, outcomeColor, outcomeText, plannerColor } from "./data";
+import { usePaper } from "./paper";
+import { Save, shortest } from "./save";
 import type { View } from "./state";
 
 const kRow = 32;
+const kMostOnPaper = 2000;
 
 interface Column {
   id: string;
@@ -104,18 +107,26 @@ function chosenOf(order: Int32Array, chosen: Int32Array): Int32Array {
   return order.filter((i) => isChosen[i] === 1);
 }
 
-export function TrialTable(props: {
-  sweep: Sweep;
-  chosen: Int32Array;
-  view: View;
-  change: (part: Partial<View>) => void;
-  open: (trial: number) => void;
-}): JSX.Element {
-  const { sweep, chosen, view, change, open } = props;
+/** The chosen trials in the table's order. */
+export function useOrder(sweep: Sweep, chosen: Int32Array, view: View): { columns: Column[]; order: Int32Array } {
   const columns = useMemo(() => columnsOf(sweep), [sweep]);
   const column = columns.find((c) => c.id === view.sort) ?? columns[0];
   const all = useMemo(() => sorted(sweep.t.count, column, view.down), [sweep, column, view.down]);
   const order = useMemo(() => chosenOf(all, chosen), [all, chosen]);
+  return { columns, order };
+}
+
+export function TrialTable(props: {
+  sweep: Sweep;
+  columns: Column[];
+  order: Int32Array;
+  view: View;
+  change: (part: Partial<View>) => void;
+  open: (trial: number) => void;
+}): JSX.Element {
+  const { sweep, columns, order, view, change, open } = props;
+  const column = columns.find((c) => c.id === view.sort) ?? columns[0];
+  const paper = usePaper();
   const box = useRef<HTMLDivElement>(null);
   const [top, setTop] = useState(0);
   const [height, setHeight] = useState(600);
@@ -144,8 +155,8 @@ export function TrialTable(props: {
     wanted.current = false;
     row.focus({ preventScroll: true });
   });
-  const first = Math.max(0, Math.floor(top / kRow) - 8);
-  const last = Math.min(order.length, Math.ceil((top + height) / kRow) + 8);
+  const first = paper ? 0 : Math.max(0, Math.floor(top / kRow) - 8);
+  const last = Math.min(order.length, paper ? kMostOnPaper : Math.ceil((top + height) / kRow) + 8);
   const go = (place: number): void => {
     const to = Math.min(Math.max(place, 0), order.length - 1);
     wanted.current = true;
@@ -182,20 +193,40 @@ export function TrialTable(props: {
   const width = columns.reduce((sum, c) => sum + c.width, 40);
   return (
     <section aria-label="Trials" class="trials">
-      <p class="note" aria-live="polite">
-        {order.length} of {sweep.t.count} trials. A click or Enter opens a flight; ▶ marks those that are in this page.
-      </p>
+      <div class="head">
+        <p class="note" aria-live="polite">
+          {order.length} of {sweep.t.count} trials. A click or Enter opens a flight; ▶ marks those that are in this
+          page.
+        </p>
+        <Save
+          name="trials"
+          table={() => ({
+            head: ["key", ...columns.map((c) => c.id)],
+            rows: Array.from(order, (i) => [sweep.t.key[i], ...columns.map((c) => shortest(c.value(i)))]),
+          })}
+        />
+      </div>
+      {paper && last < order.length ? (
+        <p class="note">
+          The first {last} of {order.length} trials; CSV has all.
+        </p>
+      ) : null}
       <div class="table" ref={box} onScroll={(e) => setTop(e.currentTarget.scrollTop)} tabIndex={-1}>
-        <table role="grid" aria-rowcount={order.length + 1} aria-label="Trials" style={{ width: `${width}px` }}>
+        <table
+          role="grid"
+          aria-rowcount={order.length + 1}
+          aria-label="Trials"
+          style={paper ? "" : { width: `${width}px` }}
+        >
           <thead>
             <tr aria-rowindex={1}>
-              <th scope="col" style={{ width: "40px" }}>
+              <th scope="col" style={paper ? "" : { width: "40px" }}>
                 <span class="hidden">flight</span>
               </th>
               {columns.map((c) => (
                 <th
                   scope="col"
-                  style={{ width: `${c.width}px` }}
+                  style={paper ? "" : { width: `${c.width}px` }}
                   aria-sort={c === column ? (view.down ? "descending" : "ascending") : "none"}
                 >
                   <button onClick={() => change({ sort: c.id, down: c === column ? !view.down : false })}>
@@ -226,7 +257,7 @@ export function TrialTable(props: {
                     }
                   }}
                   onClick={() => open(i)}
-                  style={{ height: `${kRow}px` }}
+                  style={paper ? "" : { height: `${kRow}px` }}
                 >
                   <td class="play">{sweep.t.flight[i] >= 0 ? "▶" : ""}</td>
                   {columns.map((c) => {
@@ -242,7 +273,7 @@ export function TrialTable(props: {
                 </tr>
               );
             })}
-            {last < order.length ? (
+            {last < order.length && !paper ? (
               <tr aria-hidden="true" style={{ height: `${(order.length - last) * kRow}px` }} />
             ) : null}
           </tbody>

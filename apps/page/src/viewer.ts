@@ -42,6 +42,9 @@ function cividis(share: number): THREE.Color {
   return new THREE.Color(kCividis[low]).lerp(new THREE.Color(kCividis[low + 1]), at - low);
 }
 export const kScaleColors = kCividis;
+/** Goals and the camera's frustum, on a light and on a dark ground: no planner's colour. */
+const kInk = ["#20262c", "#f2f2f2"];
+const kGrounds = ["#dfe8f0", "#10161d"];
 
 interface Shown {
   track: Track;
@@ -95,7 +98,7 @@ export class Viewer {
   private frustum: THREE.LineSegments | null = null;
   private ahead: THREE.Line | null = null;
   private mode: CameraMode = "orbit";
-  private pathColor: PathColor = "speed";
+  private pathColor: PathColor = "planner";
   private time = 0;
   private asked = 0;
   private yaw = 0;
@@ -114,7 +117,7 @@ export class Viewer {
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio || 1, 2));
     this.camera.up.set(0, 0, 1);
     this.onboard.up.set(0, 0, 1);
-    this.scene.background = new THREE.Color(dark ? "#10161d" : "#dfe8f0");
+    this.scene.background = new THREE.Color(kGrounds[dark ? 1 : 0]);
     this.scene.add(
       new THREE.HemisphereLight(dark ? "#c8d8ea" : "#ffffff", dark ? "#3a3226" : "#a89a84", dark ? 2.5 : 2.1),
     );
@@ -148,28 +151,32 @@ export class Viewer {
     if (camera) {
       this.frustum = new THREE.LineSegments(
         frustumGeometry(camera),
-        new THREE.LineBasicMaterial({ color: this.dark ? "#f2f2f2" : "#20262c", transparent: true, opacity: 0.7 }),
+        new THREE.LineBasicMaterial({ color: kInk[this.dark ? 1 : 0], transparent: true, opacity: 0.7 }),
       );
       this.frustum.matrixAutoUpdate = false;
       this.overlay.add(this.frustum);
       this.depthLook = kDepthMaterial(camera.min_m, camera.max_m);
     }
-    this.ahead = new THREE.Line(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({ color: "#e69f00" }));
+    this.ahead = new THREE.Line(
+      new THREE.BufferGeometry(),
+      new THREE.LineBasicMaterial({ color: main?.color ?? kInk[0] }),
+    );
     this.ahead.visible = false;
     this.overlay.add(this.ahead);
-    if (start) this.overlay.add(marker(start, 0.18, "#009e73"));
+    const ink = kInk[this.dark ? 1 : 0];
+    if (start) this.overlay.add(marker(start, 0.18, "#8a949e"));
     for (const goal of goals) {
-      this.overlay.add(marker(goal, 0.18, "#d55e00"));
+      this.overlay.add(marker(goal, 0.18, ink));
       const ring = new THREE.Mesh(
         new THREE.TorusGeometry(goalRadius, 0.03, 6, 40),
-        new THREE.MeshBasicMaterial({ color: "#d55e00" }),
+        new THREE.MeshBasicMaterial({ color: ink }),
       );
       ring.position.set(...goal);
       this.overlay.add(ring);
     }
     if (start && goals.length > 1) {
       const legs = new THREE.BufferGeometry().setFromPoints([start, ...goals].map((p) => new THREE.Vector3(...p)));
-      this.overlay.add(new THREE.Line(legs, new THREE.LineBasicMaterial({ color: "#d55e00" })));
+      this.overlay.add(new THREE.Line(legs, new THREE.LineBasicMaterial({ color: ink })));
     }
     this.colorPaths();
     this.setTime(this.time);
@@ -416,6 +423,16 @@ export class Viewer {
       this.asked = 0;
       this.drawNow();
     });
+  }
+
+  /** As a picture for paper: on a light ground. */
+  picture(): string {
+    const ground = this.scene.background;
+    this.scene.background = new THREE.Color(kGrounds[0]);
+    this.drawNow();
+    this.scene.background = ground;
+    this.draw();
+    return this.renderer.domElement.toDataURL();
   }
 
   private drawNow(): void {

@@ -41,7 +41,7 @@ fs::path data_folder() {
   const fs::path prefix = installation_prefix();
   if (!prefix.empty()) return data_of(prefix);
   throw InputError(std::string("no folder ") + AVOIDBENCH_DATA_FOLDER +
-                   " above this program: install avoidbench whole");
+                   " above this program: install all of avoidbench");
 }
 
 }  // namespace avoidbench

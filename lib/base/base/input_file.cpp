@@ -27,8 +27,8 @@ void check_kind(const std::filesystem::path& path, mode_t mode) {
   if (S_ISREG(mode) || (S_ISFIFO(mode) && is_held(path))) return;
   if (S_ISDIR(mode)) refuse_file(path, "is a folder, not a file");
   const char* kind = S_ISFIFO(mode) ? "a pipe" : S_ISSOCK(mode) ? "a socket" : "a device";
-  refuse_file(path, std::string("is ") + kind +
-                        ", not a regular file: write what it gives to a file first");
+  refuse_file(path,
+              std::string("is ") + kind + ", not a regular file: write its output to a file first");
 }
 
 }  // namespace
@@ -40,7 +40,7 @@ InputFile::InputFile(const std::filesystem::path& path, std::uint64_t most_bytes
   struct stat status {};
   if (::stat(path.c_str(), &status) != 0) {
     const bool is_missing = errno == ENOENT || errno == ENOTDIR;
-    if (errno == ELOOP) refuse_file(path, "is a symbolic link that leads in a circle");
+    if (errno == ELOOP) refuse_file(path, "is a symbolic link in a loop");
     refuse_file(
         path, is_missing ? "no such file" : std::string("can't be read: ") + std::strerror(errno));
   }

@@ -69,7 +69,7 @@ void check_output_file(const std::filesystem::path& file) {
     refuse(file, "it is a database (SQLite): delete it first, or name another file");
   }
   if (is_part_of_database(file)) {
-    refuse(file, "SQLite would take it for a part of the database beside it: name another file");
+    refuse(file, "SQLite would take it for part of the database next to it: name another file");
   }
   const std::filesystem::path& to_write = std::filesystem::exists(file, error) ? file : folder;
   if (::access(to_write.c_str(), W_OK) != 0) refuse(file, std::strerror(errno));

@@ -112,7 +112,7 @@ struct JsonReader {
         read_kind<Variant, index + 1>(wanted, value);
       }
     } else {
-      AB_CHECK(false, wanted, "is no kind");
+      AB_CHECK(false, wanted, "is not a kind");
     }
   }
 };

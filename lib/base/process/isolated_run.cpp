@@ -210,11 +210,11 @@ std::string signal_text(int number) {
 
 std::string ending(const Verdict& verdict, double time_limit_s) {
   if (verdict.fork_error != 0) {
-    return std::string("got no process of its own: ") + std::strerror(verdict.fork_error) +
+    return std::string("could not start a process: ") + std::strerror(verdict.fork_error) +
            " (see ulimit -u and free memory)";
   }
   if (verdict.ended_by != 0) {
-    return "was ended by " + signal_text(verdict.ended_by) + " of somebody else: run it again";
+    return "was ended by " + signal_text(verdict.ended_by) + " from outside: run it again";
   }
   if (!verdict.in_time) {
     char text[64];

@@ -98,7 +98,7 @@ std::string python_with(const std::vector<std::string>& modules, const std::stri
   throw InputError(purpose + " Python with " + words_of(modules, "") + " (tried " +
                    words_of(candidates, "") + "): apt-get install " +
                    words_of(modules, "python3-") +
-                   ", or name a Python that has them by AVOIDBENCH_PYTHON");
+                   ", or set AVOIDBENCH_PYTHON to a Python that has them");
 }
 
 }  // namespace avoidbench

@@ -44,10 +44,9 @@ StopRule parse_stop_rule(const std::string& text) {
       std::from_chars(rest.data(), rest.data() + rest.size(), rule.half_width);
   const bool is_number = error == std::errc{} && end == rest.data() + rest.size();
   if (!has_words || !is_number || !(rule.half_width > 0.0 && rule.half_width < 0.5)) {
-    throw InputError(
-        "until: '" + text +
-        "' is no rule; one is 'success_rate ci<0.05' (a planner stops when its success "
-        "rate is known to ± 0.05), with a number between 0 and 0.5");
+    throw InputError("until: '" + text +
+                     "' is not a rule; expected one like 'success_rate ci<0.05' (a planner stops "
+                     "when its success rate is known to ± 0.05), with a number between 0 and 0.5");
   }
   return rule;
 }

@@ -37,7 +37,7 @@ class CsvReader {
       return std::numeric_limits<Number>::quiet_NaN();
     }
     const std::optional<Number> value = number_from<Number>(field, base...);
-    if (!value) fail(std::string(what) + ": '" + field + "' is no such number");
+    if (!value) fail(std::string(what) + ": '" + field + "' is not a valid number");
     return *value;
   }
 

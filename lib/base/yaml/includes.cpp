@@ -105,7 +105,7 @@ struct Reader {
     if (std::find(open.begin(), open.end(), canonical) != open.end()) {
       std::string circle;
       for (const fs::path& outer : open) circle += outer.filename().string() + " → ";
-      fail(name, "leads in a circle: " + circle + file.filename().string());
+      fail(name, "includes itself: " + circle + file.filename().string());
     }
     if (open.size() > kMostIncludes) {
       fail(name, "nested deeper than " + std::to_string(kMostIncludes) + " files");
@@ -219,7 +219,8 @@ void check_is_part(const YamlNode& root) {
     throw InputError(problem_at(root, expected + (is_text ? "text" : found_text(root))));
   }
   for (const YamlNode& key : root.keys) {
-    if (!is_name(key.scalar)) throw InputError(problem_at(key, expected + "a key that is no name"));
+    if (!is_name(key.scalar))
+      throw InputError(problem_at(key, expected + "a key that is not a name"));
   }
 }
 

@@ -56,10 +56,10 @@ void forget_place(YamlNode& node) {
 /// where nothing is. The tree may be half changed then; nobody reads it after a problem.
 std::string apply_override(YamlNode& root, const std::string& path, const YamlNode& value) {
   const auto steps = parse_path(path);
-  if (!steps) return "'" + path + "' is no dotted path such as maps.poisson_radius_m";
+  if (!steps) return "'" + path + "' is not a dotted path such as maps.poisson_radius_m";
   YamlNode* node = &root;
   for (const Step& step : *steps) {
-    if (!become_mapping(*node, value)) return path + ": a list stands above '" + step.key + "'";
+    if (!become_mapping(*node, value)) return path + ": a list is above '" + step.key + "'";
     const std::size_t at = node->index_of(step.key);
     if (at == node->keys.size()) {
       node->keys.push_back(node_at(value, YamlNode::Kind::scalar, step.key));

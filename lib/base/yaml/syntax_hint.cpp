@@ -71,7 +71,7 @@ class Scanner {
     const char c = text_[at_];
     // Within brackets, lines may be indented by anything.
     if (c == '\t' && is_indent_ && open_.empty()) {
-      refuse(place_, "a tab indents this line; YAML takes spaces only");
+      refuse(place_, "a tab indents this line; YAML allows only spaces");
     } else if (c == '#' && (is_indent_ || is_after_space_)) {
       while (at_ + 1 < text_.size() && text_[at_ + 1] != '\n') step();
     } else if ((c == '\'' || c == '"') && begins_value()) {
@@ -91,7 +91,7 @@ class Scanner {
     const Bracket last = open_.back();
     open_.pop_back();
     if (closing(last.sign) == c) return;
-    refuse(place_, quoted(c) + " where " + quoted(closing(last.sign)) + " is due for the " +
+    refuse(place_, quoted(c) + " where " + quoted(closing(last.sign)) + " is expected for the " +
                        quoted(last.sign) + " of line " + std::to_string(last.place.line) +
                        ", column " + std::to_string(last.place.column));
   }

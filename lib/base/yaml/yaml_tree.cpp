@@ -62,7 +62,7 @@ class TreeBuilder : public YAML::EventHandler {
     YamlNode place = make(YamlNode::Kind::null, mark);
     // An anchor is known when its node is complete, so only an alias within that node is unknown
     // here; the parser itself refuses names that were never given.
-    if (found == anchored_.end()) fail(place, "an alias within what it stands for");
+    if (found == anchored_.end()) fail(place, "an alias within its own anchor");
     const Size size = size_of(found->second);
     charge(place, size);
     if (open_.size() + size.levels > kMostLevels) fail_levels(place);

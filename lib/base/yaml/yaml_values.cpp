@@ -202,7 +202,7 @@ std::optional<std::string> read_choice(const GivenValue& given,
     return given.add_expected((is_one ? "" : "one of ") + joined(words));
   }
   if (std::find(words.begin(), words.end(), node.scalar) != words.end()) return node.scalar;
-  return given.add_problem(found_text(node) + (is_one ? " is not " : " is none of ") +
+  return given.add_problem(found_text(node) + (is_one ? " is not " : " is not one of ") +
                            joined(words) + did_you_mean(node.scalar, words));
 }
 

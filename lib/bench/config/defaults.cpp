@@ -98,8 +98,8 @@ void add_key(const FieldTree& key, const Json& defaults, std::string& text) {
     text += "\n# " + key.doc + "\n";
     if (preset != nullptr) {
       text += "# A name (" + joined(preset->choices) + ", or that of " + key.name +
-              "s/NAME.yaml beside the sweep's folder),\n# or fields that differ from those of "
-              "`preset: NAME`, which is " +
+              "s/NAME.yaml next to the sweep's folder),\n"
+              "# or fields that differ from those of `preset: NAME`, which is " +
               preset->choices.front() + " where not given.\n";
     }
     text += key.name + ":\n";
@@ -119,7 +119,7 @@ std::string sweep_yaml() {
   std::string text =
       "# A sweep with every key at its default; only 'sweep' and 'planners' must be given.\n"
       "# One value may be a list, or a range {from: 2.3, to: 5.8, count: 10} or {from, to, step}:\n"
-      "# each combination of such values is flown. config explain KEY says more about a key.\n";
+      "# each combination of such values is flown. config explain KEY describes a key.\n";
   const Json defaults = preset_json(sweep_tree());
   for (const FieldTree& key : sweep_tree().fields) add_key(key, defaults, text);
   return text;

@@ -249,7 +249,7 @@ std::vector<Explanation> about_block(const std::string& path, const FieldTree& b
     const std::string& last = preset->choices.back();
     about.facts = {
         {"type", "a name, or a mapping"},
-        {"names", "built in, or of a file " + path + "s/NAME.yaml beside the sweep or its folder"},
+        {"names", "built in, or of a file " + path + "s/NAME.yaml next to the sweep or its folder"},
         {"built in", joined(preset->choices)},
         {"example", path + ": " + last},
         {"or", path + ": {preset: " + last + ", name: mine}"}};
@@ -328,7 +328,7 @@ Explanation built_in_vehicles() {
 
 std::vector<Explanation> about_top() {
   Explanation about;
-  about.title = "The keys of a sweep file; avoidbench config explain KEY says more about one.";
+  about.title = "The keys of a sweep file; avoidbench config explain KEY describes one.";
   about.columns = {"key", "doc"};
   for (const FieldTree& key : sweep_tree().fields) about.keys.push_back({key.name, key.doc});
   return {std::move(about)};

@@ -106,7 +106,7 @@ void read_preset_file(const GivenValue& name, const fs::path& file, const FieldT
   constexpr int kMostLevels = 8;
   Reading& reading = name.reading;
   if (reading.preset_level >= kMostLevels) {
-    name.add_problem("presets lead in a circle");
+    name.add_problem("presets refer to each other in a circle");
     return;
   }
   // A vehicle's file describes one vehicle.
@@ -143,7 +143,7 @@ void read_name(const GivenValue& given, const FieldTree& block, Json& value) {
     return;
   }
   const std::vector<std::string> names = known_names(preset, shelf, folder);
-  given.add_problem(found_text(given.node) + " is no " + what + did_you_mean(name, names) +
+  given.add_problem(found_text(given.node) + " is not a " + what + did_you_mean(name, names) +
                     "; known: " + joined(names));
 }
 

@@ -67,8 +67,8 @@ void visit(Visitor& v, Spec& s) {
   v.field("end_s", s.end_s, Range{0, 1e6},
           "When it ends, seconds after the log's first pose; 0: at the log's end.");
   v.field("outcome", s.outcome,
-          "How it ended; judged: by its path, as simulated flights are. A crash is in no log of "
-          "poses: say it.");
+          "How it ended; judged: from its path, as for simulated flights. A log of poses does not "
+          "show a crash: give it here.");
   v.field("calls", s.calls,
           "The planner's calls, as `avoidbench export calls` writes them (CSV); \"\": not logged.");
 }

@@ -69,7 +69,7 @@ void check_latency(const YamlNode& root, const std::set<LatencyMode>& modes, Rea
     for (const LatencyMode one : modes) present.emplace_back(text(one));
     for (const LatencyMode one : use.modes) wanted.emplace_back(text(one));
     GivenValue{*value, path, reading}.add_problem(
-        "means nothing in mode " + joined(present, " and ") +
+        "has no effect in mode " + joined(present, " and ") +
         "; leave it out, or write mode: " + joined(wanted, " or "));
   }
 }
@@ -156,7 +156,7 @@ std::vector<Contradiction> problems_of(const TrialSpec& trial, IsGiven is_given)
   }
   if (mission.goal_motion.path != GoalPath::none && mission.return_to_start) {
     problems.push_back({"mission.return_to_start",
-                        "the last goal is the start then, which can't move: leave it out, or "
+                        "the last goal is then the start, which can't move: leave it out, or "
                         "mission.goal_motion"});
   }
   const double height_m = flight_height_m(trial.map);
@@ -201,7 +201,7 @@ void check_name(const GivenValue& root, const std::string& key, const std::strin
     // The name becomes that of a file.
     root.at(*node, key)
         .add_problem(found_text(*node) +
-                     " is no name of A-Z a-z 0-9 _ . - that begins with a letter, digit or _");
+                     " is not a name of A-Z a-z 0-9 _ . - that begins with a letter, digit or _");
   }
 }
 

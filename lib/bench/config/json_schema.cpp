@@ -373,7 +373,7 @@ void add_planner_keys(const FieldTree& max_speed, SchemaWriter& writer, Schema& 
       {"type", "integer"},
       {"minimum", 0},
       {"description",
-       "Of a sensor with several cameras the one that the planner sees; all where not given."}};
+       "The one camera that the planner sees, if the sensor has several; default: all."}};
   properties["filter"] = reference("filter");
   properties["filter"]["description"] =
       "A filter that the planner's commands pass through: a name, or what differs from it.";
@@ -400,7 +400,7 @@ Schema planner_schema(const FieldTree& max_speed, const std::vector<PlannerDescr
   properties["label"] = {{"type", {"string", "number", "boolean"}},
                          {"minLength", 1},
                          {"maxLength", kLongestLabel},
-                         {"description", "What reports call it; its name where not given."}};
+                         {"description", "Its label in reports; default: its name."}};
   properties["parameters"] = {
       {"type", {"object", "null"}},
       {"additionalProperties", {{"type", {"string", "number", "boolean", "array", "object"}}}},

@@ -100,13 +100,13 @@ Field field_of(const SweepSpec& sweep, const Over& over, const std::string& text
   if (over.element) {
     const bool is_there = value.is_array() && *over.element < value.size();
     if (!is_there || !is_number(field->fields.front()))
-      refuse(text, "it is no list of as many numbers");
+      refuse(text, "it is not a list of that many numbers");
     return {.base = value, .is_whole = false};
   }
   if (!is_number(*field) || path.ends_with("seed")) {
     refuse(text, value.is_array()
                      ? "it is a list: name one of its numbers, as in " + over.path + "[0]"
-                     : "it is no number whose growth makes flights harder or easier");
+                     : "it is not a number whose growth makes flights harder or easier");
   }
   return {.base = value, .is_whole = field->kind == FieldKind::whole};
 }
@@ -127,8 +127,8 @@ std::vector<double> read_values(const SweepSpec& sweep, const Over& over, const 
 void require_all_levels(const SweepSpec& sweep, const std::string& text) {
   for (const PlannerChoice& planner : sweep.planners) {
     if (label_without(planner.label, sweep.limit) != planner.label) continue;
-    refuse(text, "planner " + planner.label + " has a " + kSpeedField +
-                     " of its own: take it out of its entry");
+    refuse(text, "planner " + planner.label + " has its own " + kSpeedField +
+                     ": remove it from its entry");
   }
 }
 
@@ -179,7 +179,7 @@ SweepSpec read_limit_sweep(const std::filesystem::path& file,
   const std::vector<double> values = levels_of(over, field.is_whole);
   if (values.size() < 2) refuse(request.over, "there are not two whole numbers in this range");
   SweepSpec sweep = sweep_of_values(document, over, field, values, request.over);
-  if (sweep.until.is_set()) throw InputError("until: a limit has a rule of its own: take it out");
+  if (sweep.until.is_set()) throw InputError("until: a limit has its own stopping rule: remove it");
 
   const std::string path = is_speed ? std::string("planner.") + kSpeedField : trial_path(over.path);
   LimitRule& rule = sweep.limit;

@@ -28,7 +28,7 @@ std::string absolute(const FileField& field, const std::string& file, Reading& r
   if (!fs::exists(found, error)) {
     given.add_problem("no file " + found.string());
   } else if (!fs::is_regular_file(found, error)) {
-    given.add_problem("is no plain file: " + found.string());
+    given.add_problem("is not a regular file: " + found.string());
   }
   return found.string();
 }

@@ -98,7 +98,7 @@ void read_entry(const GivenValue& given, SweepSpec& sweep) {
   }
   const auto goal = mapping.take("goal");
   const auto goals = mapping.take("goals");
-  if (goal && goals) goals->add_problem("there is 'goal' too");
+  if (goal && goals) goals->add_problem("'goal' is given too");
   if (goals) {
     written.goals = read_goals(*goals);
   } else if (goal) {
@@ -182,7 +182,7 @@ void check_header(const std::vector<YamlNode>& columns, std::vector<InputProblem
   known.insert(known.end(), {"yaw_deg", "map"});
   // What spreadsheets of some countries write.
   if (columns.size() == 1 && columns[0].scalar.find_first_of(";\t") != std::string::npos) {
-    problems.push_back(problem_at(columns[0], "columns must be parted by commas"));
+    problems.push_back(problem_at(columns[0], "columns must be separated by commas"));
     return;
   }
   std::set<std::string> seen;
@@ -294,7 +294,7 @@ void read_missions(const YamlNode& root, SweepSpec& sweep, Reading& reading) {
   const YamlNode* list = said(*block, "list");
   const YamlNode* file = said(*block, "file");
   if (list != nullptr && file != nullptr) {
-    GivenValue{*file, "mission.file", reading}.add_problem("there is mission.list too");
+    GivenValue{*file, "mission.file", reading}.add_problem("mission.list is given too");
   } else if (file != nullptr) {
     read_file({*file, "mission.file", reading}, sweep);
   } else if (list != nullptr) {
@@ -310,7 +310,7 @@ void settle_missions(const YamlNode& root, SweepSpec& sweep, Reading& reading) {
   });
   if (has_waypoints) {
     reading.at("mission.waypoints")
-        .add_problem("means nothing for missions that are listed: list their goals");
+        .add_problem("has no effect on listed missions: list their goals");
   }
   std::set<std::string> names, maps, empty_maps;
   std::int64_t most = 0;
@@ -340,7 +340,7 @@ void settle_missions(const YamlNode& root, SweepSpec& sweep, Reading& reading) {
   } else if (sweep.trials > most) {
     reading.at("trials").add_problem(std::to_string(sweep.trials) + " is more than the " +
                                      std::to_string(most) +
-                                     " missions that are listed; left out, all are flown");
+                                     " missions that are listed; without it, all are flown");
   }
 }
 

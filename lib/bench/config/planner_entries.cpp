@@ -30,7 +30,7 @@ constexpr const char* kFilter = "filter";
 constexpr const char* kProcess = "process";  ///< instead of a planner's name: a command starts it
 constexpr const char* kWantsCommand =
     "'process' is a planner that a command starts: it needs parameters: {command: [python3, "
-    "mine.py]}; without a command of its own, `plugin: ./mine.py` is enough";
+    "mine.py]}; if it needs no special command, `plugin: ./mine.py` is enough";
 
 struct Entry {
   PlannerDescription planner;
@@ -238,7 +238,7 @@ void read_planner_keys(const PlannerKeys& keys, const std::optional<GivenValue>&
     }
   }
   if (keys.max_speed && parameters && parameters->node.find(kMaxSpeed) != nullptr) {
-    keys.max_speed->add_problem("is given among the parameters too");
+    keys.max_speed->add_problem("is also given among the parameters");
   } else if (keys.max_speed) {
     read_parameter(*keys.max_speed, kMaxSpeed, entry);
   }

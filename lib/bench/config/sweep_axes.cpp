@@ -32,15 +32,15 @@ std::string path_problem(const std::string& path, const FieldTree& trial, const 
   if (first == "mission_index" || first == "trials")
     return "'trials' says how many missions there are";
   if (first == "latency_digest" || first == "missions_digest" || first == "recording")
-    return "the program fills it";
+    return "the program fills it in";
   if (path == "mission.list" || path == "mission.file")
     return "all missions are flown for each setting";
   if (path.find('[') != std::string::npos)
-    return "elements of lists can't be axes; give whole lists";
+    return "elements of lists can't be axes; give complete lists";
   if (path.empty() || path.front() == '.' || path.back() == '.' ||
       // These have a meaning in JSON pointers.
       path.find("..") != std::string::npos || path.find_first_of("/~") != std::string::npos) {
-    return "no dotted path such as wind.mean_world_mps";
+    return "not a dotted path such as wind.mean_world_mps";
   }
   // A variant's kind brings other fields with it, which would be missing or unknown for some of the
   // axis' values.
@@ -60,7 +60,7 @@ void read_axis(const GivenValue& key, const YamlNode& values, SweepSpec& sweep) 
   const std::string path = trial_path(key.node.scalar);
   const bool is_second = axis_of(sweep, path) != nullptr;
   const std::string problem =
-      is_second ? "has several values above already" : path_problem(path, trial_tree, base);
+      is_second ? "already has several values above" : path_problem(path, trial_tree, base);
   if (!problem.empty()) {
     key.add_problem(problem);
     return;

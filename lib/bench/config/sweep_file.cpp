@@ -10,6 +10,8 @@
 #include "config/planner_entries.hpp"
 #include "config/sweep_axes.hpp"
 #include "config/sweep_keys.hpp"
+#include "map_file/map_file.hpp"
+#include "maps/file_maps.hpp"
 #include "trial/contradictions.hpp"
 #include "yaml/built_in_sweeps.hpp"
 #include "yaml/overrides.hpp"
@@ -108,6 +110,25 @@ YamlNode under_maps(YamlNode map) {
   return mapping_at(file, "maps", std::move(map));
 }
 
+/// Names the generator of `maps: {file: …}` after the file, where it is left out.
+void name_generator(YamlNode& root) {
+  const std::size_t at = root.index_of("maps");
+  if (at == root.keys.size()) return;
+  YamlNode& maps = root.items[at];
+  const YamlNode* file = maps.find("file");
+  if (file == nullptr || file->kind != YamlNode::Kind::scalar) return;
+  if (maps.find("generator") != nullptr) return;
+  const fs::path found = folder_of(*file, ".") / file->scalar;
+  std::error_code error;
+  if (!fs::is_regular_file(found, error)) return;  // reported with the other problems
+  const MapFileKind kind = map_file_kind(found.string());
+  if (kind == MapFileKind::unknown) return;
+  const std::string_view generator =
+      kind == MapFileKind::mesh ? MeshSpec::kind : PointCloudSpec::kind;
+  maps.keys.push_back(node_at(*file, YamlNode::Kind::scalar, "generator"));
+  maps.items.push_back(node_at(*file, YamlNode::Kind::scalar, std::string(generator)));
+}
+
 /// The overrides with the `maps.` that they may leave out.
 std::vector<std::string> from_root(std::vector<std::string> overrides) {
   for (std::string& option : overrides) {
@@ -123,6 +144,7 @@ std::vector<std::string> from_root(std::vector<std::string> overrides) {
 Document read_sweep_document(const fs::path& file, const std::vector<std::string>& overrides) {
   Document document = read_document(sweep_file(file));
   apply_overrides(document.root, overrides);
+  name_generator(document.root);
   return document;
 }
 
@@ -178,6 +200,7 @@ SweepSpec sweep_of_text(const std::string& text, const std::string& name,
                         const std::vector<std::string>& overrides) {
   Document document{.root = parse_yaml(text, name), .file = name, .included = {}};
   apply_overrides(document.root, overrides);
+  name_generator(document.root);
   return sweep_of_document(document);
 }
 
@@ -185,7 +208,15 @@ MapChoice read_map(const std::string& given, const std::vector<std::string>& ove
   const std::vector<std::string>& generators =
       sweep_tree().find("maps")->find("generator")->choices;
   if (std::find(generators.begin(), generators.end(), given) == generators.end()) {
-    return map_of_document(read_document(map_or_sweep_file(given, generators)), overrides);
+    const fs::path file = map_or_sweep_file(given, generators);
+    if (map_file_kind(file.string()) != MapFileKind::unknown) {
+      const YamlNode place;
+      const YamlNode name = node_at(place, YamlNode::Kind::scalar, fs::absolute(file).string());
+      return map_of_document(
+          {.root = under_maps(mapping_at(place, "file", name)), .file = {}, .included = {}},
+          overrides);
+    }
+    return map_of_document(read_document(file), overrides);
   }
   std::vector<std::string> full{"maps.generator=" + given};
   full.insert(full.end(), overrides.begin(), overrides.end());
@@ -195,9 +226,12 @@ MapChoice read_map(const std::string& given, const std::vector<std::string>& ove
 
 MapChoice map_of_document(const Document& document, const std::vector<std::string>& overrides) {
   YamlNode root = document.root;
-  // A map's own file has the generator at the top.
-  if (root.find("generator") != nullptr) root = under_maps(std::move(root));
+  // A map's own file has the generator, or the file, at the top.
+  if (root.find("generator") != nullptr || root.find("file") != nullptr) {
+    root = under_maps(std::move(root));
+  }
   apply_overrides(root, from_root(overrides));
+  name_generator(root);
 
   Reading reading;
   if (document.file.has_parent_path()) reading.folder = document.file.parent_path();

@@ -25,13 +25,13 @@ FieldTree own_key(std::string name, FieldKind kind, std::string doc, Facts facts
 FieldTree mission_list_key() {
   FieldTree key = own_key(
       "list", FieldKind::other,
-      "Missions of your own in place of made ones: start and goal, x y z in metres in the map's "
-      "frame, or goals, a list of places to reach in order; yaw_deg at the start, else toward the "
-      "first goal; map, where each map has its own: a file's name, or a seed.",
+      "Your own missions instead of generated ones: start and goal, x y z in metres in the map's "
+      "frame, or goals, a list of places to reach in order; yaw_deg at the start, by default "
+      "toward the first goal; map, if each map has its own missions: a file's name, or a seed.",
       {{"type",
         "a list of {start: [x, y, z], goal: [x, y, z] or goals: [[x, y, z], …], yaw_deg: number, "
         "map: name}"},
-       {"default", "missions are made, in the map's start and goal regions"},
+       {"default", "missions are generated, in the map's start and goal regions"},
        {"example", "mission: {list: [{start: [2, 1, 1.5], goal: [20, 12, 1.5]}]}"},
        {"or", "mission: {list: [{start: [2, 1, 1.5], goal: [20, 12, 2], yaw_deg: 90}]}"},
        {"axis", "no: all missions are flown for each setting"},
@@ -40,14 +40,14 @@ FieldTree mission_list_key() {
   const Range places_m{-kFarthestPlace_m, kFarthestPlace_m};
   FieldTree element;
   element.fields = {
-      FieldCollector::described("map", std::string(), {}, "Which map it is of; left out: of each."),
+      FieldCollector::described("map", std::string(), {}, "Its map; default: every map."),
       FieldCollector::described("start", Position{}, places_m, "Where it begins, hovering, m."),
-      FieldCollector::described("goal", Position{}, places_m, "Where to, m."),
+      FieldCollector::described("goal", Position{}, places_m, "The goal, m."),
       FieldCollector::described("goals", std::vector<Position>{}, places_m,
-                                "In place of goal: where to, one after the other, m."),
-      FieldCollector::described("yaw_deg", 0.0, Range{-360, 360},
-                                "Heading at the start, from x toward y; left out: to the first "
-                                "goal.")};
+                                "Instead of goal: several goals, in order, m."),
+      FieldCollector::described(
+          "yaw_deg", 0.0, Range{-360, 360},
+          "Heading at the start, from x toward y; default: to the first goal.")};
   key.fields.push_back(std::move(element));
   return key;
 }
@@ -56,8 +56,8 @@ FieldTree mission_list_key() {
 std::vector<FieldTree> own_keys() {
   return {
       own_key("include", FieldKind::other,
-              "A file, or a list of them, whose keys hold where this file says nothing; relative "
-              "to this file's folder.",
+              "A file, or a list of them, whose keys apply where this file does not set them; "
+              "relative to this file's folder.",
               {{"type", "a file, or a list of them"},
                {"example", "include: base.yaml"},
                {"or", "include: [forest.yaml, windy.yaml]"},
@@ -66,9 +66,8 @@ std::vector<FieldTree> own_keys() {
                 "earlier ones, this file over all"},
                {"to take out", "write the key with ~ for its value"}}),
       own_key("until", FieldKind::text,
-              "When a planner has flown enough, as in 'success_rate ci<0.05': its rate is known "
-              "to ± 0.05 (95 %). Looked at after each tenth of the trials; left out: all are "
-              "flown.",
+              "When a planner has flown enough, as in 'success_rate ci<0.05': its rate is known to "
+              "± 0.05 (95 %). Checked after each tenth of the trials; default: all are flown.",
               {{"type", "a rule"},
                {"default", "none: all trials are flown"},
                {"axis", "no: it is the sweep's"},
@@ -85,23 +84,22 @@ std::vector<FieldTree> own_keys() {
            {"see",
             "avoidbench planners list, planners describe NAME, config explain NAME.PARAMETER"}}),
       own_key("max_speed_mps", FieldKind::number,
-              "Speed limit of all planners that are given none; a list compares speeds. Left "
-              "out: each planner's own.",
+              "Speed limit of all planners that are given none; a list compares speeds. Default: "
+              "each planner's own.",
               {{"type", "number in m/s"},
                {"default", "each planner's own"},
                {"example", "max_speed_mps: 3"},
                {"axis", "max_speed_mps: [2, 4]"}}),
       mission_list_key(),
-      own_key(
-          "file", FieldKind::other,
-          "The same from a table: a CSV file with the columns start_x_m, start_y_m, start_z_m, "
-          "goal_x_m, goal_y_m, goal_z_m and, if wanted, yaw_deg, map and those of further goals, "
-          "goal2_x_m, goal2_y_m, goal2_z_m, goal3_x_m ….",
-          {{"type", "a file, relative to the one that names it"},
-           {"default", "none"},
-           {"example", "mission: {file: missions.csv}"},
-           {"axis", "no: all missions are flown for each setting"},
-           {"see", "docs/sweep_files.md, Missions of your own"}}),
+      own_key("file", FieldKind::other,
+              "The same from a table: a CSV file with the columns start_x_m, start_y_m, start_z_m, "
+              "goal_x_m, goal_y_m, goal_z_m and optionally yaw_deg, map and those of further "
+              "goals, goal2_x_m, goal2_y_m, goal2_z_m, goal3_x_m ….",
+              {{"type", "a file, relative to the one that names it"},
+               {"default", "none"},
+               {"example", "mission: {file: missions.csv}"},
+               {"axis", "no: all missions are flown for each setting"},
+               {"see", "docs/sweep_files.md, Missions of your own"}}),
       own_key("axes", FieldKind::other,
               "Any field above by its path, with the values to try: each combination of axes is "
               "flown.",
@@ -116,7 +114,7 @@ template <class Spec>
 FieldTree with_preset(FieldTree block, const std::vector<Spec>& built_in) {
   FieldTree key =
       own_key("preset", FieldKind::other,
-              "What holds where no key says otherwise: built in, or the name of a file.", {});
+              "The values of keys that are not given: a built-in name, or the name of a file.", {});
   for (const Spec& spec : built_in) {
     key.choices.push_back(spec.name);
     key.named.push_back(spec_to_json(spec));

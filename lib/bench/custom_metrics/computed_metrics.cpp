@@ -120,7 +120,7 @@ double number_at(sqlite3_stmt* row, int column) {
       return sqlite3_column_double(row, column);
     default:
       throw InputError("column " + std::string(sqlite3_column_name(row, column)) +
-                       " has a value that is no number");
+                       " has a value that is not a number");
   }
 }
 
@@ -180,7 +180,7 @@ ComputedMetrics query_metrics(const Database& database, const std::string& sql, 
     columns.push_back(i);
   }
   if (key_column < 0) throw InputError("the SELECT has no column trial_key");
-  if (columns.empty()) throw InputError("the SELECT has no column beside trial_key");
+  if (columns.empty()) throw InputError("the SELECT has no column except trial_key");
   int code = SQLITE_ROW;
   while ((code = sqlite3_step(statement.get())) == SQLITE_ROW) {
     // SQLite converts numbers to text here; a key is text anyway.
@@ -200,9 +200,9 @@ ComputedMetrics query_metrics(const Database& database, const std::string& sql, 
     }
   }
   if (code == SQLITE_INTERRUPT) {
-    throw InputError("the SELECT has not ended after " + shortest(limit_s) +
-                     " s, the most it may take: look for a join without its condition or a "
-                     "recursion without an end");
+    throw InputError(
+        "the SELECT did not finish within " + shortest(limit_s) +
+        " s, the limit: look for a join without its condition or a recursion without an end");
   }
   if (code != SQLITE_DONE) throw InputError(sqlite3_errmsg(database.handle()));
   return computed;
@@ -213,7 +213,7 @@ void add_metrics(const ComputedMetrics& computed, SweepResult& result) {
   for (const MetricRow& metric : computed.metrics) {
     for (const MetricRow& there : result.metrics) {
       if (there.name == metric.name) {
-        throw InputError("a metric " + metric.name + " is there already: choose another name");
+        throw InputError("a metric " + metric.name + " already exists: choose another name");
       }
     }
     result.metrics.push_back(metric);

@@ -172,7 +172,7 @@ std::string action_problem(const ActionSpec& spec, std::span<const double> actio
     const double most = is_yaw ? kMostOfYaw : kMostOfCommand;
     if (std::abs(action[i]) > most) {
       return name + " is " + significant_digits(action[i], 3) + ", beyond ±" +
-             significant_digits(most, 3) + ": no such action is meant";
+             significant_digits(most, 3) + ": the action is out of range";
     }
   }
   return "";

@@ -145,8 +145,7 @@ ViewShape view_shape(const TrialSpec& spec) {
     const auto width_px = static_cast<std::size_t>(kind.width_px);
     const bool is_first = shape.cameras == 0;
     if (!is_first && (height_px != shape.height_px || width_px != shape.width_px)) {
-      throw InputError(
-          "the cameras' pictures have different sizes: an array needs them to have one");
+      throw InputError("the cameras' pictures differ in size: an array needs one size");
     }
     shape.height_px = height_px;
     shape.width_px = width_px;

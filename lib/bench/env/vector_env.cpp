@@ -93,20 +93,18 @@ void check_numbers(const EnvSpec& spec) {
 void check_sensor(const EnvSpec& spec, const ViewShape& shape) {
   const std::uint32_t images = AB_INPUT_DEPTH | AB_INPUT_STEREO | AB_INPUT_COLOR;
   require((spec.needs & images) == 0 || shape.cameras > 0,
-          "depth, stereo and color are of cameras, and the sensor has none: observe ranges or "
+          "depth, stereo and color come from cameras, and the sensor has none: observe ranges or "
           "points of its lidars");
   require((spec.needs & AB_INPUT_POINTS) == 0 || !shape.lidars.empty(),
-          "points and ranges are of lidars, and the sensor has none: take one as in sensor: "
+          "points and ranges come from lidars, and the sensor has none: add one as in sensor: "
           "{preset: d435_like, lidars: [velodyne_16]}");
   const bool is_inverse = spec.depth == DepthEncoding::inverse;
-  require(
-      (spec.needs & AB_INPUT_DEPTH) == 0 || !is_inverse || shape.min_range_m > 0.0,
-      "inverse depth is a share of the sensor's min_range_m, which is 0: set it, or take metric "
-      "depth");
-  require(
-      !spec.sees_ranges || !is_inverse || shape.widest_lidar.min_range_m > 0.0,
-      "inverse ranges are a share of the lidars' min_range_m, which is 0: set it, or take metric "
-      "depth");
+  require((spec.needs & AB_INPUT_DEPTH) == 0 || !is_inverse || shape.min_range_m > 0.0,
+          "inverse depth is a share of the sensor's min_range_m, which is 0: set it, or use metric "
+          "depth");
+  require(!spec.sees_ranges || !is_inverse || shape.widest_lidar.min_range_m > 0.0,
+          "inverse ranges are a share of the lidars' min_range_m, which is 0: set it, or use "
+          "metric depth");
 }
 
 }  // namespace
@@ -156,9 +154,9 @@ VectorEnv::Internals::Internals(const EnvSpec& env_spec)
     // Trials of a setting mostly follow each other; one that comes again is only checked again.
     if (&setting == seen) continue;
     seen = &setting;
-    require(!is_measured(setting.latency),
-            "latency.mode: measured and replay mean nothing to who steps flights; take fixed or "
-            "zero");
+    require(
+        !is_measured(setting.latency),
+        "latency.mode: measured and replay have no meaning for stepped flights; use fixed or zero");
     require(
         are_alike(view_shape(setting), shape, spec.needs) &&
             setting.rates.plan_hz == first.rates.plan_hz,
@@ -172,9 +170,9 @@ VectorEnv::Internals::Internals(const EnvSpec& env_spec)
 
 void VectorEnv::Internals::require_own_process() const {
   require(process == ::getpid(),
-          "this environment was made in another process, whose threads are not here: make it in "
-          "the process that steps it (multiprocessing: the start method spawn, or make it after "
-          "the fork)");
+          "this environment was created in another process, and its threads do not exist here: "
+          "create it in the process that steps it (multiprocessing: use the start method spawn, or "
+          "create it after the fork)");
 }
 
 void VectorEnv::Internals::begin(Slot& slot, std::size_t index, const EnvArrays& arrays,
@@ -327,11 +325,11 @@ void VectorEnv::reset(std::optional<std::uint64_t> seed, std::span<const std::ui
   Internals& in = *internals_;
   in.require_own_process();
   require(mask.empty() || mask.size() == in.slots.size(),
-          "the mask needs one value a slot: " + std::to_string(in.slots.size()));
+          "the mask needs one value per slot: " + std::to_string(in.slots.size()));
   const bool is_whole =
       std::all_of(mask.begin(), mask.end(), [](auto value) { return value != 0; });
   if (seed) {
-    require(is_whole, "a seed is of all slots: it can't be given for some of them");
+    require(is_whole, "a seed applies to all slots: it can't be given for some of them");
     in.seed = *seed;
     for (Slot& slot : in.slots) slot.next_ordinal = 0;
   }
@@ -354,7 +352,7 @@ void VectorEnv::step(std::span<const double> actions, bool begins_next, const En
   for (std::size_t i = 0; i < in.slots.size(); ++i) {
     const Slot& slot = in.slots[i];
     const std::string name = "slot " + std::to_string(i) + ": ";
-    require(slot.flight.has_value(), name + "reset() comes before step()");
+    require(slot.flight.has_value(), name + "call reset() before step()");
     if (slot.has_ended) {
       require(begins_next, name + "its episode has ended: reset it before the next step");
       continue;

@@ -56,7 +56,8 @@ class Db3Query {
   }
   std::int64_t integer(int column) const {
     if (sqlite3_column_type(statement_.get(), column) != SQLITE_INTEGER) {
-      damaged(std::string(sqlite3_column_name(statement_.get(), column)) + " is no whole number");
+      damaged(std::string(sqlite3_column_name(statement_.get(), column)) +
+              " is not a whole number");
     }
     return sqlite3_column_int64(statement_.get(), column);
   }
@@ -122,7 +123,8 @@ void check_tables(sqlite3* handle, const std::filesystem::path& file) {
                   "name IN ('topics', 'messages')");
   if (!tables.step() || tables.integer(0) != 2) {
     refuse_file(
-        file, "an SQLite file, but no recording of rosbag2: it has no tables topics and messages");
+        file,
+        "an SQLite file, but not a recording of rosbag2: it has no tables topics and messages");
   }
 }
 
@@ -163,7 +165,8 @@ void read_db3(const std::filesystem::path& file, FlightBuilder& flight) {
     if (topic == topics.end()) rows.damaged("its topic is not in the table topics");
     if (!flight.wants_message(topic->second.topic)) continue;
     if (topic->second.encoding != "cdr") {
-      rows.damaged("messages of the serialization '" + topic->second.encoding + "'; cdr is read");
+      rows.damaged("messages of the serialization '" + topic->second.encoding +
+                   "'; only cdr is supported");
     }
     row.restart(rows.integer(0));
     if (!row.step()) rows.damaged("it can't be found again");

@@ -112,7 +112,7 @@ void FlightBuilder::check_frame(std::string_view frame) {
 std::optional<std::size_t> FlightBuilder::add(const LoggedPose& pose) {
   std::vector<RecordedPose>& poses = flight_.poses;
   if (!poses.empty() && pose.velocity.has_value() == flight_.velocities.empty()) {
-    throw BadMessage("of the messages some have a velocity, others none");
+    throw BadMessage("some messages have a velocity, others don't");
   }
   if (!pose.position.allFinite()) {
     ++not_finite_count_;
@@ -158,8 +158,8 @@ void FlightBuilder::check_named_topic() const {
     if (fits(topic)) return;
   }
   const std::string fitting = listed(true);
-  const std::string others = fitting.empty() ? "; no topic has poses of a type that is read"
-                                             : "; these can be: " + fitting;
+  const std::string others =
+      fitting.empty() ? "; no topic has poses of a supported type" : "; these can be: " + fitting;
   if (is_there) refuse("the topic " + choice_.topic + " can't be read as poses" + others);
   const std::string nearest = did_you_mean(choice_.topic, names);
   refuse("no topic " + choice_.topic + nearest +
@@ -176,7 +176,7 @@ void FlightBuilder::check_topic() const {
   if (candidates == 0 && !topics_.empty()) {
     const std::string read =
         preferred_.empty() ? "poses of " + std::string(kPoseMessageNames) : joined(preferred_);
-    refuse("no topic has poses that are read (" + read + "); it has " + listed(false));
+    refuse("no topic has poses of a supported type (" + read + "); it has " + listed(false));
   }
 }
 
@@ -243,7 +243,7 @@ void FlightBuilder::report_left_out() {
   }
   if (unstamped_count_ > 0) {
     warn(counted(unstamped_count_, "pose") + (unstamped_count_ == 1 ? " has" : " have") +
-         " no time stamp; the time of recording is taken");
+         " no time stamp; the time of recording is used");
   }
 }
 
@@ -251,7 +251,7 @@ RecordedFlight FlightBuilder::finish() {
   check_topic();
   check_child_frame();
   report_left_out();
-  if (flight_.poses.empty()) refuse("no pose that can be used");
+  if (flight_.poses.empty()) refuse("no usable pose");
   leave_out_bad_attitudes();
   leave_out_bad_velocities();
   if (chosen_) {

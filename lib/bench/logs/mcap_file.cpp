@@ -91,7 +91,7 @@ class McapReader {
     if (const auto crc = in_.number<std::uint32_t>(); crc != 0) chunk.crc32 = crc;
     const auto name_bytes = in_.number<std::uint32_t>();
     if (name_bytes > kMostPackingBytes)
-      in_.damaged(record.position, "a chunk of an unknown compression");
+      in_.damaged(record.position, "a chunk with an unknown compression");
     const std::string packing = in_.text(name_bytes);
     chunk.packing = packing;
     chunk.packed_bytes = in_.number<std::uint64_t>();
@@ -159,7 +159,8 @@ class McapReader {
     if (size > kMostMcapMessageBytes) throw BadMessage("it is longer than its type");
     if (logged_ns < 0) throw BadMessage("its time is beyond all bounds");
     if (encoding != "cdr" && encoding != "ros1") {
-      throw BadMessage("messages of the encoding '" + encoding + "'; cdr and ros1 are read");
+      throw BadMessage("messages of the encoding '" + encoding +
+                       "'; only cdr and ros1 are supported");
     }
     const std::string bytes = in.text(size);
     flight_.read_message(topic,

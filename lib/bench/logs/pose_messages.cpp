@@ -74,7 +74,7 @@ std::int64_t read_px4_time(MessageReader& message) {
 LoggedPose read_px4_odometry(MessageReader& message) {
   constexpr std::size_t kLongest = 128;
   if (message.left() > kLongest) {
-    throw BadMessage("px4_msgs/VehicleOdometry of before PX4 1.14, which is not read");
+    throw BadMessage("px4_msgs/VehicleOdometry from before PX4 1.14, which is not supported");
   }
   LoggedPose pose;
   pose.time_ns = read_px4_time(message);

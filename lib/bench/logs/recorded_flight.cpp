@@ -18,15 +18,15 @@ struct KnownStart {
 /// Files that a user may well give, and what to do about them.
 constexpr KnownStart kOtherFiles[] = {
     {"#ROSBAG V1", "a bag of an old version; `rosbag fix` writes it as version 2.0"},
-    {"\x28\xb5\x2f\xfd", "a file compressed by zstd: unpack it first (`zstd -d FILE`)"},
-    {"\x1f\x8b", "a file compressed by gzip: unpack it first (`gunzip FILE`)"},
-    {"BZh", "a file compressed by bzip2: unpack it first (`bunzip2 FILE`)"},
-    {"\x04\x22\x4d\x18", "a file compressed by lz4: unpack it first (`lz4 -d FILE`)"},
+    {"\x28\xb5\x2f\xfd", "a file compressed with zstd: unpack it first (`zstd -d FILE`)"},
+    {"\x1f\x8b", "a file compressed with gzip: unpack it first (`gunzip FILE`)"},
+    {"BZh", "a file compressed with bzip2: unpack it first (`bunzip2 FILE`)"},
+    {"\x04\x22\x4d\x18", "a file compressed with lz4: unpack it first (`lz4 -d FILE`)"},
     {"\xfd"
      "7zXZ",
-     "a file compressed by xz: unpack it first (`unxz FILE`)"},
+     "a file compressed with xz: unpack it first (`unxz FILE`)"},
     {"PK\x03\x04", "a ZIP archive: unpack it first"},
-    {"\xa3\x95", "a log of ArduPilot (DataFlash), which is not read"}};
+    {"\xa3\x95", "a log of ArduPilot (DataFlash), which is not supported"}};
 
 constexpr std::string_view kFormats =
     "recorded flights are ROS 1 bags, rosbag2 (SQLite or MCAP), ULog, and text in the formats of "

@@ -220,7 +220,7 @@ class UlogReader {
     if (data.size() < kBytes) throw BadMessage("the log's flags are too short");
     const auto incompatible = load_ulog<std::uint64_t>(data, kIncompatible);
     // The first means that there are appended data.
-    if (incompatible > 1) throw BadMessage("the log uses what this program does not know");
+    if (incompatible > 1) throw BadMessage("the log uses features that this program does not know");
     if (incompatible == 1) appended_position_ = load_ulog<std::uint64_t>(data, kAppended);
   }
 

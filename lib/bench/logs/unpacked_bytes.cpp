@@ -196,7 +196,8 @@ std::unique_ptr<ByteSource> unpacked(ByteReader& file, const PackedChunk& chunk)
   if (chunk.packing == "bz2") return std::make_unique<Bzip2Bytes>(file, chunk);
   if (chunk.packing == "lz4") return std::make_unique<Lz4Bytes>(file, chunk);
   if (chunk.packing == "zstd") return std::make_unique<ZstdBytes>(file, chunk);
-  file.damaged(chunk.position, "a chunk of the unknown compression " + std::string(chunk.packing));
+  file.damaged(chunk.position,
+               "a chunk with the unknown compression " + std::string(chunk.packing));
 }
 
 }  // namespace avoidbench

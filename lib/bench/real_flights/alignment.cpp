@@ -35,7 +35,8 @@ Alignment align(const AlignmentSpec& spec, const InputProblem& place) {
   if (!spans_plane(log) || !spans_plane(map)) {
     InputProblem problem = place;
     problem.message =
-        "alignment.points: lie on one line, or within 10 cm of it: no rotation follows";
+        "alignment.points: lie on one line, or within 10 cm of one: they don't determine a "
+        "rotation";
     throw InputError(problem);
   }
   alignment.T_map_log.matrix() = Eigen::umeyama(log, map, false);

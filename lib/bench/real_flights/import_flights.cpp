@@ -48,7 +48,7 @@ void check_poses(const std::vector<MeasuredPosition>& positions) {
   constexpr std::size_t kMostPoses = 500'000, kFewestPoses = 10;
   if (positions.size() < kFewestPoses) {
     throw InputError("has " + std::to_string(positions.size()) +
-                     " poses between begin_s and end_s; 10 are needed at least");
+                     " poses between begin_s and end_s; at least 10 are needed");
   }
   if (positions.size() > kMostPoses) {
     throw InputError("has " + std::to_string(positions.size()) +
@@ -59,7 +59,7 @@ void check_poses(const std::vector<MeasuredPosition>& positions) {
     if (gap_s <= kLongestGap_s) continue;
     throw InputError("has no pose for " + fixed_digits(gap_s, 2) + " s, " +
                      fixed_digits(positions[i - 1].time_s, 2) +
-                     " s after begin_s: what was flown meanwhile is not known");
+                     " s after begin_s: the flight in between is unknown");
   }
 }
 
@@ -185,10 +185,10 @@ void check_place(const FlightsFile& file) {
   const auto refuse = [&](const std::string& message) {
     throw InputError({.file = file.document.file.string(), .message = message});
   };
-  if (has_movers(trial.movers)) refuse("sweep.movers: real flights know none; take them out");
+  if (has_movers(trial.movers)) refuse("sweep.movers: real flights have none; remove them");
   if (trial.mission.waypoints > 0 || trial.mission.return_to_start ||
       trial.mission.goal_motion.path != GoalPath::none) {
-    refuse("sweep.mission: a real flight has one goal, which stands still");
+    refuse("sweep.mission: a real flight has one goal, which does not move");
   }
 }
 
@@ -237,9 +237,10 @@ MapRow map_row(const TrialSpec& setting, const Scene& scene, const SweepSpec& sw
 ImportedFlight imported_flight(const ReadRealFlight& flight, ReadLog log, TrialSpec spec,
                                const MissionRecord& mission, const Scene& scene) {
   if (!mission.is_valid) {
-    throw InputError(flight.problem("start", mission.invalid_reason +
-                                                 " (sweep.mission.free_radius_m says how much "
-                                                 "room starts and goals need)"));
+    throw InputError(flight.problem(
+        "start",
+        mission.invalid_reason +
+            " (sweep.mission.free_radius_m says how much free space starts and goals need)"));
   }
   spec.mission_index = mission.index;
   spec.planner = choice_of(flight.spec.planner);

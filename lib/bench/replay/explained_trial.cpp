@@ -115,7 +115,7 @@ ExplainedTrial explanation_of(const CauseJob& job, const JobEnd& end) {
   if (!end.killed_by.empty()) {
     found.warnings = {"its workers were killed, by " + end.killed_by};
   } else if (end.death) {
-    found.warnings = {"flown again it ends otherwise: " +
+    found.warnings = {"flown again it ends differently: " +
                       record_of(end, job.job.job.spec.planner).reason};
   } else if (!end.answer->error.empty()) {
     throw InputError(end.answer->error);

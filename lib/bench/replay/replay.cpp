@@ -67,7 +67,7 @@ FoundPlanner planner_of_database(const PluginChoice& choice, const ReplayFiles& 
     const std::string problem =
         problems.empty() ? "no planner '" + choice.plugin + "': there is no folder to look in"
                          : problems.front();
-    throw OptionError(problem + "; another library may be named", "", "library");
+    throw OptionError(problem + "; name another library", "", "library");
   }
   throw OptionError(
       {.file = other.string(),
@@ -98,7 +98,7 @@ std::string found_file(const std::string& what, const std::string& name, const s
   }
   if (const auto copy = kept_map(files.database, digest, name)) return copy->string();
   throw OptionError(
-      "the " + what + "'s file " + name + " (SHA-256 " + digest + ") is not found: name its place",
+      "the " + what + "'s file " + name + " (SHA-256 " + digest + ") was not found: give its path",
       "", what + "-file");
 }
 
@@ -159,7 +159,7 @@ StoredTrial with_files(StoredTrial stored, const ReplayFiles& files) {
 FoundPlanner planner_for(const PlannerChoice& choice, const ReplayFiles& files) {
   if (choice.file_digest.empty()) {
     throw InputError("the trial of " + choice.label +
-                     " is a real flight: nothing can fly it again; its twin in simulation can be "
+                     " is a real flight: it can't be flown again; its twin in simulation can be "
                      "flown (docs/real_flights.md)");
   }
   // Started as a file of its kind is: no word of the database's is.
@@ -177,8 +177,8 @@ FoundPlanner plugin_for(const PluginChoice& choice, const ReplayFiles& files) {
   if (choice.command.empty()) return planner_of_database(choice, files);
   throw OptionError("the database names a command as planner " + choice.label + ": " +
                         command_text(choice) +
-                        ": a command is not started on a database's word. Give the sweep file of "
-                        "yours that has it, or a planner's file to fly instead",
+                        ": a command that only a database names is not started. Give your sweep "
+                        "file that has it, or a planner's file to fly instead",
                     "", "command");
 }
 
@@ -212,7 +212,7 @@ StoredTrial StoredTrialReader::read(const std::string& key) {
   const auto index = static_cast<std::size_t>(stored.row.mission_index);
   if (flown == nullptr || index >= flown->record.missions.size() ||
       !flown->record.missions[index].is_valid) {
-    throw_damaged(path, "trials", key, "its mission is not there or can't be flown");
+    throw_damaged(path, "trials", key, "its mission is missing or can't be flown");
   }
   const MissionRecord& mission = flown->record.missions[index];
   stored.mission = mission.mission;
@@ -223,7 +223,7 @@ StoredTrial StoredTrialReader::read(const std::string& key) {
 }
 
 std::string other_library_warning(const PlannerDescription& planner) {
-  return "the planner's file is another one than in the stored trial: " + planner.file.string();
+  return "the planner's file differs from the stored trial's: " + planner.file.string();
 }
 
 std::vector<ParameterValue> usable_values(const PluginChoice& stored,
@@ -242,7 +242,7 @@ std::vector<ParameterValue> usable_values(const PluginChoice& stored,
   }
   for (const ParameterDef& def : planner.parameters) {
     if (given.contains(def.name)) continue;
-    warnings.push_back("parameter " + def.name + " has no stored value: its preset is taken");
+    warnings.push_back("parameter " + def.name + " has no stored value: its preset is used");
   }
   return resolve_parameters(planner, given);
 }

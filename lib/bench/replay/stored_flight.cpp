@@ -111,7 +111,7 @@ StoredFlight stored_flight(StoredTrial stored, ReplayPlanners& planners) {
 std::string other_map_warning(const StoredTrial& stored, const JobEnd& end) {
   const bool is_same = !end.answer || end.answer->world_digest.empty() ||
                        end.answer->world_digest == stored.world_digest;
-  return is_same ? "" : "the map is another one than that of the stored trial";
+  return is_same ? "" : "the map differs from that of the stored trial";
 }
 
 TrialRecord record_of(const JobEnd& end, const PlannerChoice& planner) {

@@ -34,7 +34,7 @@ struct FieldCheck {
     const auto wanted = object.find(std::string(name));
     if (wanted == object.end() || !wanted->is_string() ||
         !check_kind<Variant, 0>(wanted->get<std::string>())) {
-      throw BadText(prefix + std::string(name) + " is of no kind that this avoidbench knows");
+      throw BadText(prefix + std::string(name) + " is of a kind unknown to this avoidbench");
     }
   }
 
@@ -61,7 +61,7 @@ void check_number(const json& given, const std::string& path, Range range) {
     // JSON reads a whole number below 0 as signed, others as unsigned; 1.0 is neither.
     has_type = std::is_signed_v<T> ? given.is_number_integer() : given.is_number_unsigned();
   }
-  if (!has_type) throw BadText(path + " is no number of its kind");
+  if (!has_type) throw BadText(path + " is not a number of its kind");
   const double value = given.get<double>();
   if (!(value >= range.lowest && value <= range.highest)) {
     throw BadText(path + " is outside of its range");
@@ -77,7 +77,7 @@ template <class T>
 void check_value(const json& given, const std::string& path, const T& value, Range range) {
   if constexpr (TextEnum<T>) {
     if (!given.is_string() || !enum_from_text<T>(given.get<std::string>())) {
-      throw BadText(path + " is nothing that this avoidbench knows");
+      throw BadText(path + " is unknown to this avoidbench");
     }
   } else if constexpr (detail::IsOptional<T>::value) {
     if (!given.is_null()) check_value(given, path, typename T::value_type{}, range);
@@ -87,10 +87,10 @@ void check_value(const json& given, const std::string& path, const T& value, Ran
     constexpr bool has_any_size = requires(T & sequence) { sequence.resize(0); };
     const bool has_size =
         given.is_array() && given.size() <= kMost && (has_any_size || given.size() == value.size());
-    if (!has_size) throw BadText(path + " is no list of its length");
+    if (!has_size) throw BadText(path + " is not a list of its length");
     for (const json& item : given) check_value(item, path, typename T::value_type{}, range);
   } else if constexpr (Visitable<T, FieldCheck>) {
-    if (!given.is_object()) throw BadText(path + " is no object");
+    if (!given.is_object()) throw BadText(path + " is not an object");
     const std::string prefix = path.empty() ? "" : path + ".";
     FieldCheck check{given, prefix};
     T copy{};
@@ -98,7 +98,7 @@ void check_value(const json& given, const std::string& path, const T& value, Ran
   } else if constexpr (std::is_same_v<T, bool>) {
     if (!given.is_boolean()) throw BadText(path + " is neither true nor false");
   } else if constexpr (std::is_same_v<T, std::string>) {
-    if (!given.is_string()) throw BadText(path + " is no text");
+    if (!given.is_string()) throw BadText(path + " is not a text");
   } else {
     check_number<T>(given, path, range);
   }
@@ -110,14 +110,15 @@ void check_rates(const TrialSpec& spec) {
   for (const double rate_hz :
        {spec.rates.physics_hz, spec.rates.plan_hz, spec.rates.sample_hz, spec.sensor.rate_hz,
         spec.imu.rate_hz, spec.odometry.rate_hz, spec.wind.turbulence.rate_hz}) {
-    if (!period_ticks(rate_hz)) throw BadText("a rate's period is no whole number of ticks");
+    if (!period_ticks(rate_hz)) throw BadText("a rate's period is not a whole number of ticks");
   }
   for (const CameraSpec& camera : spec.sensor.more_cameras) {
     if (!period_ticks(camera.rate_hz))
-      throw BadText("a camera's period is no whole number of ticks");
+      throw BadText("a camera's period is not a whole number of ticks");
   }
   for (const LidarSpec& lidar : spec.sensor.lidars) {
-    if (!period_ticks(lidar.rate_hz)) throw BadText("a lidar's period is no whole number of ticks");
+    if (!period_ticks(lidar.rate_hz))
+      throw BadText("a lidar's period is not a whole number of ticks");
   }
 }
 

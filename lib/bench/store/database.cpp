@@ -285,8 +285,8 @@ void Database::checkpoint() {
   refuse_file(*path_, "can't be written any more (" +
                           std::string(error != 0 ? std::strerror(error) : sqlite3_errstr(code)) +
                           "): the last rows are in " + path_->string() +
-                          "-wal, which belongs to it. Make room, or the file writable, and run the "
-                          "same command again before you move either");
+                          "-wal, which belongs to it. Free disk space, or make the file writable, "
+                          "and run the same command again before you move either");
 }
 
 void Database::require_in_place() {

@@ -223,12 +223,12 @@ void check_log(sqlite3* handle, const std::filesystem::path& file) {
     misfits += stands_still ? 1 : 0;
   }
   if (misfits < kMisfits) return;
-  refuse_file(file, "beside it lies " + path.filename().string() +
-                        ", the log of another file of that name, from a run that was killed: "
-                        "together they would be neither. Both are left as they are. If " +
-                        file.filename().string() + " is the file that you mean, move " +
+  refuse_file(file, "next to it is " + path.filename().string() +
+                        ", the log of another file of that name, from a run that was killed: the "
+                        "two don't belong together. Both are left as they are. If " +
+                        file.filename().string() + " is the file that you want, move " +
                         path.filename().string() +
-                        " away; if you mean the killed run's results, put its file back");
+                        " away; if you want the killed run's results, put its file back");
 }
 
 void check_no_lost_log(const std::filesystem::path& file) {

@@ -204,7 +204,7 @@ TrialSummary summary_of(const Database& db, const Statement& row) {
   // A worker that died has no end of its flight; whoever arrived has.
   const bool must_have_end = trial.outcome == Outcome::reached_goal;
   if (std::isinf(end_s) || end_s < 0.0 || (must_have_end && std::isnan(end_s))) {
-    row.damaged("end_time_s is no time");
+    row.damaged("end_time_s is not a time");
   }
   return trial;
 }

@@ -91,7 +91,7 @@ class FlightDigests {
 };
 
 void check_row(const Statement& row, const std::vector<std::string>& columns, std::string& bytes) {
-  if (row.is_null(1)) row.damaged("it has no row_digest: somebody took it out");
+  if (row.is_null(1)) row.damaged("it has no row_digest: it was removed");
   if (row.text(1) == row_digest(row, columns, bytes)) return;
   row.damaged("its values are not those that were stored (row_digest)");
 }
@@ -184,7 +184,7 @@ void check_digests(const Database& db, bool flights) {
   std::string bytes, key, digest;
   while (row.step()) {
     // As many flights as rows, unless a joined table has a key twice.
-    if (flights && !flight_digests.next(key, digest)) row.damaged("it is there twice");
+    if (flights && !flight_digests.next(key, digest)) row.damaged("it is stored twice");
     check_row(row, columns, bytes);
     if (flights) check_flight(row, digest);
   }

@@ -155,7 +155,7 @@ std::string fault_of(const Table& found, const Table& wanted,
                      const std::set<std::string>& metrics) {
   // STRICT: only then types of values can be relied on.
   if (!found.is_strict || found.is_without_rowid != wanted.is_without_rowid) {
-    return "is of another kind than avoidbench makes it";
+    return "is of a different kind than avoidbench creates";
   }
   std::set<std::string> seen;
   for (const Column& column : found.columns) {
@@ -167,7 +167,8 @@ std::string fault_of(const Table& found, const Table& wanted,
                                  ? column == *same
                                  : metrics.contains(column.name) && column == metric;
     if (!is_expected || !seen.insert(column.name).second) {
-      return "has the column '" + shown(column.name) + "', which avoidbench does not make so";
+      return "has the column '" + shown(column.name) +
+             "', which avoidbench does not create like this";
     }
   }
   for (const Column& column : wanted.columns) {
@@ -199,7 +200,7 @@ std::set<std::string> metric_names(sqlite3* handle, const std::filesystem::path&
     const std::string name = s.text(0);
     if (!is_column_name(name) || std::find(own.begin(), own.end(), name) != own.end()) {
       refuse_file(path, "damaged: table metric_definitions, row '" + shown(name) +
-                            "': no name of a metric");
+                            "': not the name of a metric");
     }
     names.insert(name);
   }

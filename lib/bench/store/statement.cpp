@@ -15,11 +15,11 @@ namespace {
 std::string meaning(int primary_code, const std::string& message) {
   switch (primary_code) {
     case SQLITE_FULL:
-      return "no space left on its disk. Every trial committed before is kept: make room and run "
-             "the same command again";
+      return "no space left on its disk. Every trial committed before is kept: free some space and "
+             "run the same command again";
     case SQLITE_IOERR:
       return "reading or writing failed (" + message +
-             "). Every trial committed before is kept: see to the disk and run the same command "
+             "). Every trial committed before is kept: check the disk and run the same command "
              "again";
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
@@ -32,7 +32,7 @@ std::string meaning(int primary_code, const std::string& message) {
     case SQLITE_AUTH:
       return "no permission to open it";
     case SQLITE_NOTADB:
-      return "not a database of avoidbench: it is no SQLite file";
+      return "not a database of avoidbench: it is not an SQLite file";
     case SQLITE_CORRUPT:
       return "damaged (" + message + "); `sqlite3 FILE .recover` saves what can be read";
     case SQLITE_CONSTRAINT:
@@ -57,7 +57,7 @@ void find_bad_json(sqlite3* handle, const std::filesystem::path& path) {
                 std::string("SELECT ") + place.key + " FROM " + place.table +
                     " WHERE NOT json_valid(" + place.column + ") LIMIT 1");
     if (s.step())
-      throw_damaged(path, place.table, s.free_text(0), std::string(place.column) + " is no JSON");
+      throw_damaged(path, place.table, s.free_text(0), std::string(place.column) + " is not JSON");
   }
 }
 

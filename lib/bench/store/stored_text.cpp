@@ -99,7 +99,7 @@ json stored_object(const std::string& text) {
   constexpr std::size_t kMostDepth = 64;
   if (depth_of(text) > kMostDepth) throw BadText("JSON that is nested too deep");
   json object = json::parse(text, nullptr, false);
-  if (!object.is_object()) throw BadText("no JSON object");
+  if (!object.is_object()) throw BadText("not a JSON object");
   return object;
 }
 
@@ -145,7 +145,7 @@ json stored_sweep(const std::string& text) {
   for (const json& axis : axes) {
     const json values = axis.is_object() ? element(axis, "values") : json();
     if (!values.is_array() || !is_path(element(axis, "path"))) {
-      throw BadText("that of a sweep with an axis that is none");
+      throw BadText("that of a sweep with an invalid axis");
     }
     count *= static_cast<double>(std::max<std::size_t>(1, values.size()));
   }

@@ -151,7 +151,7 @@ std::vector<std::string> paths_of(const Database& db, const std::string& trial_k
       add_parameters(spec["planner"]["filter"], prefix + std::string(kFilterPrefix));
     }
   } catch (const nlohmann::json::exception&) {
-    s.damaged("spec_json is no spec of a trial");
+    s.damaged("spec_json is not the spec of a trial");
   } catch (const BadText& bad) {
     s.damaged(std::string("spec_json is ") + bad.what());
   }
@@ -199,8 +199,7 @@ std::vector<std::string> varied_parameters(const nlohmann::json& sweep) {
 Outcome outcome_of(const Statement& row, int column) {
   const std::string name = row.text(column);
   const auto outcome = enum_from_text<Outcome>(name);
-  if (!outcome)
-    row.damaged("outcome '" + name.substr(0, 40) + "' is none that this avoidbench knows");
+  if (!outcome) row.damaged("outcome '" + name.substr(0, 40) + "' is unknown to this avoidbench");
   return *outcome;
 }
 

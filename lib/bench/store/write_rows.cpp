@@ -113,7 +113,7 @@ void check_same_map(const Database& db, const MapRow& stored, const MapRow& row)
         .file = db.path().string(),
         .message =
             "map " + row.record.key.substr(0, 12) +
-            " is there with other values than this avoidbench computes: write to another file"});
+            " is stored with other values than this avoidbench computes: write to another file"});
   }
 }
 

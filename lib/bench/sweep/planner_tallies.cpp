@@ -35,7 +35,7 @@ void warn_of_standing(const std::string& label, const PlannerTally& tally,
                       std::vector<std::string>& warnings) {
   const std::string of_all = " of " + std::to_string(tally.trials) + " trials";
   if (tally.standing > 0) {
-    warnings.push_back(label + " stood still until the time was up in " +
+    warnings.push_back(label + " hovered until the time limit in " +
                        std::to_string(tally.standing) + of_all + " (mean speed below " +
                        shortest(kStanding_mps) +
                        " m/s): `avoidbench replay` shows what it saw, `avoidbench explain` why");
@@ -54,7 +54,7 @@ void warn_of_times(const std::string& label, const CallTimes& times, const TimeD
   if (!late.empty()) {
     warnings.push_back(late +
                        "; it flew as if it had answered in time. A sweep with latency {mode: "
-                       "measured} charges what calls take");
+                       "measured} accounts for the time of calls");
   }
   const std::string hidden = hidden_time(times, label);
   if (!hidden.empty()) warnings.push_back(hidden);

@@ -290,7 +290,8 @@ RunSummary run_sweep(const SweepSpec& sweep, const RunRow& provenance, Database&
   // Shards do not know each other's results, and the rule must give the same trials wherever they
   // are flown.
   if (sweep.limit.is_set() && options.shard.count > 1) {
-    throw InputError("a limit is looked for on one machine: each trial follows from those before");
+    throw InputError(
+        "the search for a limit runs on one machine: each trial depends on those before");
   }
   if (sweep.until.is_set() && options.shard.count > 1) {
     throw InputError(

@@ -84,7 +84,7 @@ std::string track_perfectly(const FlownTrial& flown, ChangedTrial& trial) {
     return call.status == AB_OK && call.command_kind == AB_COMMAND_RATES;
   });
   trial.flight.tracks_perfectly = true;
-  return has_rates ? "body rates are no reference that could be tracked" : "";
+  return has_rates ? "body rates are not a reference that can be tracked" : "";
 }
 
 /// Calls that take half as long: where latency is measured, that acts sooner; where a clock that
@@ -106,7 +106,7 @@ std::string double_compute(const FlownTrial& flown, ChangedTrial& trial) {
       choice.number = halved;
     }
   }
-  return is_changed ? "" : "neither is its latency measured, nor has it a clock as its budget";
+  return is_changed ? "" : "its latency is not measured, and its budget is not a clock";
 }
 
 /// Whether the parameter says how fast the planner is to fly.
@@ -129,7 +129,7 @@ std::string fly_slower(const FlownTrial& flown, ChangedTrial& trial) {
   }
   double& time_limit_s = trial.spec.mission.time_limit_s;
   time_limit_s = std::min(2.0 * time_limit_s, kLongest_s);
-  return vehicle.max_speed_mps < limit_mps ? "" : "it has the least speed limit that there is";
+  return vehicle.max_speed_mps < limit_mps ? "" : "it already has the lowest speed limit";
 }
 
 std::string widen_view(const FlownTrial& flown, ChangedTrial& trial) {
@@ -144,7 +144,7 @@ std::string widen_view(const FlownTrial& flown, ChangedTrial& trial) {
     camera->fov_x_deg = 2.0 * wide_rad * 180.0 / math::kPi;
     camera->width_px *= 2;
     if (camera->fov_x_deg > kWidest_deg || camera->width_px > kMost_px) {
-      return "a camera of twice the width is beyond what sensors can be";
+      return "a camera of twice the width is too large for a sensor";
     }
   }
   return "";
@@ -167,7 +167,7 @@ std::string lengthen_range(const FlownTrial& flown, ChangedTrial& trial) {
     lidar.range_at_10_percent_m = std::min(2.0 * lidar.range_at_10_percent_m, kFarthest_m);
     is_changed = is_changed || lidar.max_range_m > range_m;
   }
-  return is_changed ? "" : "it has the longest range that there is";
+  return is_changed ? "" : "it already has the longest range";
 }
 
 std::string hold_obstacles(const FlownTrial& flown, ChangedTrial& trial) {
@@ -184,8 +184,8 @@ constexpr Change kChanges[] = {
      change_nothing},
     {"true_depth", "with true depth",
      "Depth images are the true depth, of the same cameras at the same times", make_depth_true},
-    {"no_latency", "without latency", "Commands act at the time of what they were planned by",
-     take_latency},
+    {"no_latency", "without latency",
+     "Commands act at the time of the observation that they answer", take_latency},
     {"true_state", "with the true state",
      "Odometry without noise, drift and delay, for the planner and the vehicle's controller",
      make_state_true},
@@ -203,7 +203,7 @@ constexpr Change kChanges[] = {
      "Images of twice the width at the same focal length (90° become 127°)", widen_view},
     {"longer_range", "with twice the range", "Depth up to twice the distance", lengthen_range},
     {"still_obstacles", "with obstacles that stand still",
-     "What moves stands all the time where it stood when the flight ended", hold_obstacles},
+     "Moving obstacles stand all the time where they were when the flight ended", hold_obstacles},
 };
 
 }  // namespace

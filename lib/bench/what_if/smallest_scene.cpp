@@ -210,12 +210,12 @@ class SceneFlights {
 void check_scene_request(const SceneRequest& request) {
   const StoredTrial& stored = request.stored;
   if (stored.row.record.outcome == Outcome::reached_goal) {
-    throw InputError("the trial reached its goal: there is no failure to make smaller");
+    throw InputError("the trial reached its goal: there is no failure to reduce");
   }
   if (is_measured(stored.spec.latency)) {
     throw InputError(
-        "the trial's latency was measured: a sweep file can't say it, so that its flight could not "
-        "be flown again");
+        "the trial's latency was measured: a sweep file can't express it, so the flight can't be "
+        "repeated");
   }
 }
 
@@ -246,10 +246,8 @@ SmallestScene smallest_scene(const SceneRequest& request) {
   }
   if (!has_failed && !flights.is_stopped()) {
     throw InputError(
-        "the flight reaches its goal on the whole map as a file, whose triangles are rounded, "
-        "whose "
-        "surfaces have all their texture and in which nothing moves: there is no failure to make "
-        "smaller");
+        "the flight reaches its goal on the complete map written to a file (rounded triangles, "
+        "full texture on all surfaces, nothing moves): there is no failure to reduce");
   }
   SmallestScene scene;
   scene.obstacles_before = all.size();

@@ -148,7 +148,7 @@ WhatIfPlan plan_what_ifs(const Database& database, const WhatIfRequest& request,
     plan.warnings.push_back(
         counted(of_other_program, "trial") +
         " of a program whose results differ (see CHANGELOG.md, Results change): flown again they "
-        "may end otherwise whatever is changed");
+        "may end differently regardless of the change");
   }
   return plan;
 }

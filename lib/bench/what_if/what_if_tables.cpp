@@ -55,7 +55,7 @@ Table counts_table(const std::vector<WhatIfCount>& counts) {
            .header = "share",
            .unit = "%",
            .doc = "cured of failures, with a 95 % interval: Wilson's, from five maps on widened by "
-                  "how much the maps differ",
+                  "the differences between maps",
            .decimals = 0,
            .has_interval = true},
           {.name = "cured_pct_lower", .unit = "%", .place = Place::bound},
@@ -63,12 +63,12 @@ Table counts_table(const std::vector<WhatIfCount>& counts) {
           {.name = "maps", .place = Place::machine},
           {.name = "successes",
            .header = "successes",
-           .doc = "trials that reached the goal, as a control flown again with the change"},
+           .doc = "trials that reached the goal, flown again with the change as a control"},
           {.name = "broken", .header = "broken", .doc = "of them, those that don't with it"},
           {.name = "broken_pct", .unit = "%", .place = Place::machine},
           {.name = "not_applicable",
            .header = "n/a",
-           .doc = "failures for which it would change nothing, or that can't have it: not flown"},
+           .doc = "failures that it would not change, or to which it does not apply: not flown"},
           {.name = "missing", .header = "missing", .doc = "not flown yet"}}};
   for (const WhatIfCount& count : counts) {
     table.rows.push_back({what_if_cell(count.planner_label), what_if_cell(count.change->name),

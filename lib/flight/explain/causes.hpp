@@ -114,20 +114,20 @@ void visit(Visitor& v, Spec& s) {
   v.field("reaction_s", s.reaction_s,
           "From light to command: delay of images, plan period and latency, s.");
   v.field("last_chance_s", s.last_chance_s,
-          "The last time at which reacting and braking still fitted into the way left, s.");
+          "Last time at which the way left was enough to react and brake, s.");
   v.field("last_chance_speed_mps", s.last_chance_speed_mps, "Speed then, m/s.");
   v.field("last_chance_way_m", s.last_chance_way_m,
           "Way left then to the contact, along the flown path, m.");
   v.field("last_chance_need_m", s.last_chance_need_m,
           "Way that reacting and braking needed then, m.");
   v.field("in_cone_s", s.in_cone_s,
-          "From when on the patch was in the field of view of three exposures; where it was within "
-          "the camera's distance by the last chance, of those, s.");
-  v.field("unoccluded_s", s.unoccluded_s, "The same, and nothing before it, s.");
+          "Time from which the patch was in the field of view of three exposures; if it was within "
+          "the camera's distance by the last chance, only those exposures count, s.");
+  v.field("unoccluded_s", s.unoccluded_s, "The same, with nothing in front of it, s.");
   v.field("in_range_s", s.in_range_s, "The same, and within the camera's range, s.");
   v.field("sensed_s", s.sensed_s,
-          "From when on three images that the planner got showed it at its depth, s.");
-  v.field("mapped_s", s.mapped_s, "From when on the planner's map had it as occupied, s.");
+          "Time from which three images that the planner got showed it at its depth, s.");
+  v.field("mapped_s", s.mapped_s, "Time from which the planner's map had it as occupied, s.");
   v.field("seen_way_m", s.seen_way_m, "Way left to the contact at in_range_s, m.");
   v.field("seen_need_m", s.seen_need_m, "Way that reacting and braking needed then, m.");
   v.field("depth_image_count", s.depth_image_count,
@@ -166,8 +166,9 @@ void visit(Visitor& v, Spec& s) {
           "since.");
   v.field("goal_clearance_m", s.goal_clearance_m,
           "Greatest distance to a surface within the goal's circle, m.");
-  v.field("commanded_outside_m", s.commanded_outside_m,
-          "How far outside the map the vehicle was told to be at the end; inside: negative, m.");
+  v.field(
+      "commanded_outside_m", s.commanded_outside_m,
+      "How far outside the map the vehicle was commanded to be at the end; inside: negative, m.");
 }
 
 /// As stored: those that have a value, by name.

@@ -22,7 +22,7 @@ std::string views(const Facts& f) {
 }
 
 std::string sight_sentences(const Facts& f) {
-  std::string text = "What it struck was in the field of view " + since(f.in_cone_s) +
+  std::string text = "The obstacle that it struck was in the field of view " + since(f.in_cone_s) +
                      ", unoccluded " + since(f.unoccluded_s) + ", and in range " +
                      since(f.in_range_s);
   if (!std::isnan(f.seen_way_m)) {
@@ -78,7 +78,7 @@ std::string collision_sentences(const Facts& f) {
 
 std::string timeout_sentences(const Facts& f) {
   std::string text = "It flew " + meters(f.flown_m) + " at " + speed(f.mean_speed_mps) +
-                     " on the mean; the shortest path has " + meters(f.reference_length_m) + ". ";
+                     " on average; the shortest path has " + meters(f.reference_length_m) + ". ";
   text += "It came nearest to the goal, " + meters(f.closest_m) + ", at " + at_s(f.closest_s) +
           ", and was first within 0.5 m of that at " + at_s(f.progress_s) +
           ". In the second half it stood still for " + percent(f.hover_share) + " of the time" +
@@ -90,8 +90,8 @@ std::string timeout_sentences(const Facts& f) {
     text += "It came back " + fixed_digits(f.return_count, 0) +
             (f.return_count > 1.0 ? " times" : " time") + " to where it had been. ";
   }
-  text += "The freest place of the goal's circle is " + meters(f.goal_clearance_m) +
-          " from any surface. ";
+  text += "The place in the goal's circle with the most clearance is " +
+          meters(f.goal_clearance_m) + " from any surface. ";
   return text;
 }
 

@@ -121,11 +121,10 @@ void check_no_camera(const SensorSpec& sensor, Found& found) {
   const auto plain = spec_to_json(none);
   for (const auto& [key, value] : given.items()) {
     if (value == plain.at(key)) continue;
-    found.push_back(
-        {"sensor." + key,
-         "is of a camera, and a sensor of kind none has none; of a lidar it is given as "
-         "in sensor: {preset: mid360_like, lidars: [{preset: mid360_like, " +
-             key + ": …}]}"});
+    found.push_back({"sensor." + key,
+                     "belongs to a camera, and a sensor of kind none has none; for a lidar it is "
+                     "given as in sensor: {preset: mid360_like, lidars: [{preset: mid360_like, " +
+                         key + ": …}]}"});
   }
 }
 

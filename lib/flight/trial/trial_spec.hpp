@@ -39,8 +39,8 @@ struct GoalMotionSpec {
 template <class Visitor, ConstOr<GoalMotionSpec> Spec>
 void visit(Visitor& v, Spec& s) {
   v.field("path", s.path,
-          "none: it stands; line: to and fro across the way to it, the place itself in the middle; "
-          "circle: through the place, anticlockwise, leaving it straight ahead.");
+          "none: it stands still; line: back and forth across the way to it, with the place in the "
+          "middle; circle: through the place, anticlockwise, leaving it straight ahead.");
   v.field("speed_mps", s.speed_mps, Range{0.01, 20}, "Its constant speed.");
   v.field("extent_m", s.extent_m, Range{0.1, 100}, "Length of the line; diameter of the circle.");
 }
@@ -117,14 +117,14 @@ inline bool is_measured(const LatencySpec& latency) {
 template <class Visitor, ConstOr<LatencySpec> Spec>
 void visit(Visitor& v, Spec& s) {
   v.field("mode", s.mode,
-          "zero: at once; fixed: after `ms`, the same on every machine; measured: after the wall "
-          "time that the call took on this machine, times `scale`; replay: after the times of the "
-          "measured run in `database`.");
+          "zero: immediately; fixed: after `ms`, the same on every machine; measured: after the "
+          "wall time that the call took on this machine, times `scale`; replay: after the times of "
+          "the measured run in `database`.");
   v.field("ms", s.ms, Range{0, 10000},
-          "Time from what is seen to the command that answers it (fixed).");
+          "Time from an observation to the command that answers it (fixed).");
   v.field("scale", s.scale, Range{0.001, 1000},
-          "The planner's computer is so many times slower than this machine (measured); of the run "
-          "that is repeated (replay).");
+          "How many times slower the planner's computer is than this machine (measured); that of "
+          "the repeated run (replay).");
   v.field("database", s.database, "Database of the measured run that is repeated (replay).");
 }
 
@@ -175,8 +175,8 @@ void visit(Visitor& v, Spec& s) {
   v.field("file", s.file, "The library or program found.");
   v.field("file_digest", s.file_digest, "SHA-256 of the library or program.");
   v.field("parameters", s.parameters, "Values of all its parameters.");
-  v.field("command", s.command, "How a program is started, where the sweep says so.");
-  v.field("files", s.files, "Files that it depends on, where it names any.");
+  v.field("command", s.command, "How a program is started, if the sweep gives a command.");
+  v.field("files", s.files, "Files that it depends on, if it names any.");
 }
 
 /// A planner as chosen in a sweep.
@@ -193,8 +193,8 @@ void visit(Visitor& v, Spec& s) {
   using Plugin = std::conditional_t<std::is_const_v<Spec>, const PluginChoice, PluginChoice>;
   visit(v, static_cast<Plugin&>(s));
   v.field("camera", s.camera, Range{kAllCameras, 10000},
-          "The one camera of the sensor that it sees, by its index; -1: each.");
-  v.field("filter", s.filter, "What its commands pass through, where the sweep says so.");
+          "Index of the one camera of the sensor that it sees; -1: all.");
+  v.field("filter", s.filter, "The filter that its commands pass through, if the sweep names one.");
 }
 
 /// The planner itself and its filter, where there is one.
@@ -240,7 +240,7 @@ void visit(Visitor& v, Spec& s) {
   v.field("sensor", s.sensor, "The camera.");
   v.field("imu", s.imu, "The inertial measurement unit; the defaults are an ADIS16448's.");
   v.field("odometry", s.odometry,
-          "How wrong vehicle and planner know where they are; all zero: not at all.");
+          "Errors of the position and attitude that vehicle and planner get; all zero: exact.");
   v.field("planner", s.planner, "The planner.");
   v.field("rates", s.rates, "How often things happen; each period is a whole number of 1/36000 s.");
   v.field("latency", s.latency, "When commands take effect.");

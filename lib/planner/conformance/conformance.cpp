@@ -43,11 +43,10 @@ void run_rules(const PlannerLibrary& library, std::span<const ConformanceRule> r
 }  // namespace
 
 bool run_first_rules(const std::filesystem::path& file, const OnRule& begin, const OnRule& end) {
-  ConformanceResult loading{
-      "loads",
-      "A shared library with the symbol, a whole table, sane names, ranges and "
-      "function pointers.",
-      false, ""};
+  ConformanceResult loading{"loads",
+                            "A shared library with the symbol, a complete table, sane names, "
+                            "ranges and function pointers.",
+                            false, ""};
   begin(loading);
   std::optional<PlannerLibrary> library;
   try {

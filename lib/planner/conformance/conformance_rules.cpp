@@ -201,7 +201,7 @@ std::string drawing_changes_nothing(const PlannerLibrary& library) {
                    "with a host that has no extension " AB_DEBUG_EXTENSION);
   if (!finding.empty()) return finding;
   return with_context(first_difference(expected, alone(library, flight, Looking::somebody)),
-                      "when its drawings are wanted");
+                      "when its drawings are shown");
 }
 
 std::string being_asked_changes_nothing(const PlannerLibrary& library) {
@@ -309,7 +309,7 @@ constexpr ConformanceRule kRules[] = {
     {"refuses_unknown_hosts",
      "The symbol returns null for an ABI that the planner was not built for.",
      refuses_unknown_hosts},
-    {"describes_itself", "Version, summary and each parameter's doc are there for people.",
+    {"describes_itself", "Version, summary and each parameter's doc are not empty.",
      describes_itself},
     {"creates_with_presets", "An instance can be made from the presets.", creates_with_presets},
     {"creates_over_its_ranges",
@@ -339,7 +339,7 @@ constexpr ConformanceRule kRules[] = {
      keeps_no_input, true},
     {"drawing_changes_nothing",
      "Commands are the same, bit for bit, with a host that has no " AB_DEBUG_EXTENSION
-     " and with one where somebody looks at the drawings.",
+     " and with one that shows the drawings.",
      drawing_changes_nothing, true},
     {"being_asked_changes_nothing",
      "Commands are the same, bit for bit, when the planner is asked after each call what it knows "
@@ -355,8 +355,8 @@ constexpr ConformanceRule kRules[] = {
      "and many in one place, give commands or no plan, not errors.",
      survives_odd_goals},
     {"survives_odd_sweeps",
-     "Sweeps that come seldom, several at once, empty or at the lidar itself give commands or no "
-     "plan, not errors. (Asked of a planner that declares AB_INPUT_POINTS.)",
+     "Rare sweeps, several at once, empty or at the lidar itself give commands or no plan, not "
+     "errors. (Asked of a planner that declares AB_INPUT_POINTS.)",
      survives_odd_sweeps},
     {"survives_odd_tracks",
      "No tracks, a thousand, and one where the vehicle is, without size or of an unknown kind give "

@@ -101,7 +101,7 @@ std::vector<std::string> write_planner_project(const std::string& name, ProjectK
                                                const fs::path& folder, const fs::path& templates) {
   if (!is_name(name)) {
     throw InputError("'" + name +
-                     "' is no name of a planner: use a-z, 0-9 and _, and begin with a letter");
+                     "' is not a name of a planner: use a-z, 0-9 and _, and begin with a letter");
   }
   if (is_taken(name)) throw InputError("the name '" + name + "' is taken by the build");
   // All is read and looked at before anything is written, so that an error leaves no half project.

@@ -30,11 +30,11 @@ constexpr Circumstances kAlone{"", ""};
 constexpr Circumstances kOthers[] = {
     {"in a second process", "it depends on chance, time, threads or addresses"},
     // Each budget and time-out is over then; a busy machine ends some of them now and then.
-    {"where each look at a clock finds one second gone", "it depends on time", true},
+    {"where each look at a clock finds it one second later", "it depends on time", true},
     // Longer than what a thread beside the calls needs for a piece of work.
-    {"with 20 ms before each call", "it depends on time or on threads that go on between calls",
+    {"with 20 ms before each call", "it depends on time or on threads that run on between calls",
      false, 20ms},
-    {"on one CPU beside three busy threads", "it depends on time, threads or the number of CPUs",
+    {"on one CPU with three busy threads", "it depends on time, threads or the number of CPUs",
      false, 0ms, 3},
 };
 
@@ -107,7 +107,7 @@ ConformanceResult repeats_rule() {
 
 std::string repeats_finding(const std::filesystem::path& file) {
   const Flown first = fly(file, kAlone);
-  if (!first.problem.empty()) return "in a process of its own it " + first.problem;
+  if (!first.problem.empty()) return "in a separate process it " + first.problem;
   // Why it can't be made is what another rule says.
   if (first.replies.empty()) return "";
   for (const Circumstances& other : kOthers) {
@@ -116,7 +116,7 @@ std::string repeats_finding(const std::filesystem::path& file) {
     if (again.replies.empty()) continue;
     const std::string difference = first_difference(first.replies, again.replies);
     if (difference.empty()) continue;
-    const std::string clocks = again.clocks.empty() ? "" : ", and it looks at " + again.clocks;
+    const std::string clocks = again.clocks.empty() ? "" : ", and it reads " + again.clocks;
     return difference + " " + other.words + ": " + other.cause + clocks;
   }
   return "";

@@ -17,7 +17,7 @@ std::string value_problem(const ParameterDef& def, const ParameterValue& value) 
       return "";
     std::string words;
     for (const std::string& word : def.choices) words += (words.empty() ? "" : ", ") + word;
-    return "'" + value.text + "' is none of " + words + did_you_mean(value.text, def.choices);
+    return "'" + value.text + "' is not one of " + words + did_you_mean(value.text, def.choices);
   }
   if (def.kind == AB_TEXT) return "";
   // Negated, so that NaN is outside.

@@ -44,9 +44,10 @@ void check_file(const std::filesystem::path& file) {
   if (problem.empty()) return;
   // Not where it is a library that is wrong in another way: nobody meant a program then.
   const bool is_other_kind = problem.starts_with("is not a shared library");
-  refuse_file(file, problem + (is_other_kind ? "; nor a program: those end in .py or may be "
-                                               "executed (chmod +x)"
-                                             : ""));
+  refuse_file(
+      file,
+      problem +
+          (is_other_kind ? "; nor a program: those end in .py or are executable (chmod +x)" : ""));
 }
 
 /// Threads that start for as long as it lives are the library's.
@@ -64,8 +65,8 @@ void check_symbol(const std::filesystem::path& file) {
   if (std::find(symbols.begin(), symbols.end(), wanted_symbol()) != symbols.end()) return;
   const std::vector<std::string> others = other_versions(file);
   if (others.empty()) {
-    refuse_file(file, "is a shared library but no planner: it does not export " + wanted_symbol() +
-                          " (AVOIDBENCH_PLANNER(Class) in planner.hpp does)");
+    refuse_file(file, "is a shared library but not a planner: it does not export " +
+                          wanted_symbol() + " (AVOIDBENCH_PLANNER(Class) in planner.hpp does)");
   }
   std::string versions;
   for (const std::string& version : others) versions += (versions.empty() ? "" : ", ") + version;

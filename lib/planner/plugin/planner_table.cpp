@@ -37,7 +37,7 @@ constexpr std::uint32_t kKnownCommands = AB_COMMAND_POSITION | AB_COMMAND_VELOCI
                                          AB_COMMAND_RATES;
 
 constexpr std::size_t kMostNameBytes = 100, kMostTextBytes = 10'000;
-constexpr const char* kNameRule = "a name is of a-z, 0-9 and _, at most 100 of them";
+constexpr const char* kNameRule = "a name has 1 to 100 characters of a-z, 0-9 and _";
 
 bool is_plain_name(std::string_view name) {
   return !name.empty() && name.size() <= kMostNameBytes &&
@@ -77,7 +77,7 @@ std::string choice_problem(const ab_parameter& p) {
     if (word.empty()) return "an empty word in choices '" + std::string(p.choices) + "'";
   }
   const bool known = std::find(words.begin(), words.end(), p.preset_text) != words.end();
-  return known ? "" : "the preset '" + std::string(p.preset_text) + "' is none of the choices";
+  return known ? "" : "the preset '" + std::string(p.preset_text) + "' is not one of the choices";
 }
 
 /// In this order: each pointer is looked at before it is followed.
@@ -159,12 +159,12 @@ std::string profile_problem(const ab_planner& table, const ab_profile* profile) 
   }
   const ab_parameter* choice = parameter_of(table, profile->choice);
   if (choice == nullptr || choice->kind != AB_CHOICE) {
-    return "is of " + in_quotes(profile->choice) + ", which is no choice parameter";
+    return "is of " + in_quotes(profile->choice) + ", which is not a choice parameter";
   }
   const std::vector<std::string> words = choice_words(choice->choices);
   if (profile->word == nullptr ||
       std::find(words.begin(), words.end(), profile->word) == words.end()) {
-    return "is of the word " + in_quotes(profile->word) + ", which is no choice of '" +
+    return "is of the word " + in_quotes(profile->word) + ", which is not a choice of '" +
            choice->name + "'";
   }
   // Each is of another parameter.
@@ -175,7 +175,7 @@ std::string profile_problem(const ab_planner& table, const ab_profile* profile) 
     const ab_parameter* parameter = parameter_of(table, name);
     const bool is_number =
         parameter != nullptr && (parameter->kind == AB_NUMBER || parameter->kind == AB_INTEGER);
-    if (!is_number) return "has " + in_quotes(name) + ", which is no parameter of numbers";
+    if (!is_number) return "has " + in_quotes(name) + ", which is not a numeric parameter";
     const bool is_whole = parameter->kind == AB_NUMBER || std::floor(number) == number;
     // Negated, so that NaN is refused.
     if (!(number >= parameter->lowest && number <= parameter->highest) || !is_whole) {
@@ -267,13 +267,14 @@ bool is_filter(const PlannerDescription& planner) {
 
 std::string filter_alone_problem(const PlannerDescription& planner) {
   if (!is_filter(planner)) return "";
-  return planner.name + " is a filter and flies above a planner only: write {plugin: PLANNER, " +
+  return planner.name +
+         " is a filter and flies only on top of a planner: write {plugin: PLANNER, " +
          "filter: " + planner.name + "}";
 }
 
 std::string filter_problem(const PlannerDescription& filter, const PlannerDescription& planner) {
   if (!is_filter(filter)) {
-    return filter.name + " is no filter: it does not declare AB_INPUT_COMMAND";
+    return filter.name + " is not a filter: it does not declare AB_INPUT_COMMAND";
   }
   std::string missing;
   for (std::uint32_t kind = 1; kind <= kKnownCommands; kind <<= 1U) {

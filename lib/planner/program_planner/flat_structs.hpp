@@ -18,7 +18,7 @@ std::uint64_t write_flat(Segment& segment, const ab_setup& setup);
 std::uint64_t write_flat(Segment& segment, const ab_mission& mission);
 std::uint64_t write_flat(Segment& segment, const ab_observation& observation);
 
-/// A parsed answer that is none.
+/// An answer that can't be parsed.
 class BadAnswer : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -167,8 +167,8 @@ ab_status asked(ProgramInstance& self, std::uint32_t kind, Write&& write, Read&&
     self.was_killed = fault.was_killed;
     tell_error(self, fault.what());
   } catch (const BadAnswer& bad) {
-    tell_error(self, "the program " + name_of(*self.planner) +
-                         " gave an answer that is none: " + bad.what());
+    tell_error(self,
+               "the program " + name_of(*self.planner) + " gave an invalid answer: " + bad.what());
   } catch (const std::exception& error) {
     tell_error(self, error.what());
   }

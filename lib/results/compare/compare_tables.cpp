@@ -79,7 +79,7 @@ Table metric_table_of(const Comparison& comparison) {
                "only; same: neither; –: may not fail the comparison"},
        {.name = "pair_count",
         .header = "pairs",
-        .doc = "trials of both sides that the row speaks of: all for SR, MP, end distance and "
+        .doc = "trials of both sides that the row covers: all for SR, MP, end distance and "
                "collisions, those that both finished for the others"},
        {.name = "base_mean", .header = "base"},
        {.name = "new_mean", .header = "new"},

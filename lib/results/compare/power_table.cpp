@@ -143,12 +143,10 @@ Section power_section(const PowerQuestion& question) {
       "paired",
       "planners that fly the same missions end differently on " + percent(discordance) +
           " of them" +
-          (question.discordance ? ""
-                                : ", as if one knew nothing of the other; less where they "
-                                  "fail on the same ones"));
+          (question.discordance ? "" : ", as if independent; less if they fail on the same ones"));
   section.notes.emplace_back("maps",
-                             "all this is for trials that are alike: where maps differ much, more "
-                             "maps help, more missions per map hardly");
+                             "all this holds for trials that are alike: if maps differ much, more "
+                             "maps help, and more missions per map hardly do");
   return section;
 }
 

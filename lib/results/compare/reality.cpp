@@ -83,11 +83,9 @@ std::map<std::string, std::vector<Pair>> pairs_of(const FlownSweep& real,
     if (found == simulation.trials.end()) continue;
     const Mission &a = real.missions.at(key.second), &b = simulation.missions.at(key.second);
     if (a.start_world != b.start_world || a.goal_world != b.goal_world) {
-      refuse_file(file, "mission " + std::to_string(key.second) + " of its sweep " +
-                            simulation.name +
-                            " is another one than that of the real flight: it "
-                            "is no twin of " +
-                            real.name);
+      refuse_file(file,
+                  "mission " + std::to_string(key.second) + " of its sweep " + simulation.name +
+                      " differs from that of the real flight: it is not a twin of " + real.name);
     }
     pairs[key.first].push_back(
         {.real = &row,

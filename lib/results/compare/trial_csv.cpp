@@ -77,7 +77,7 @@ TableTrial trial_of(const CsvReader& reader, const std::vector<std::string>& fie
   trial.mission = reader.number<std::uint64_t>(fields[6], "mission", 16);
   const auto outcome = enum_from_text<Outcome>(fields[7]);
   if (!outcome) {
-    reader.fail("outcome: '" + fields[7] + "' is none" +
+    reader.fail("outcome: '" + fields[7] + "' is invalid" +
                 did_you_mean(fields[7], enum_texts<Outcome>()));
   }
   trial.outcome = *outcome;
@@ -154,7 +154,7 @@ TrialTable table_of_csv(const std::string& text, const std::string& source) {
       // Pairing and the comparison bit for bit walk through trials in order; an edited file may
       // have lost it.
       if (count > 1 && !(table.trials[count - 2].identity < table.trials[count - 1].identity)) {
-        reader.fail("trials are not in order, or this one is there twice");
+        reader.fail("trials are not in order, or this one is listed twice");
       }
     }
   }

@@ -6,6 +6,7 @@
 
 #include "base/check.hpp"
 #include "base/input_error.hpp"
+#include "explain/paragraph.hpp"
 #include "page/flight_data.hpp"
 
 namespace avoidbench {
@@ -24,7 +25,7 @@ struct Source {
 
 PackedFlight packed_flight(const std::string& key, std::deque<Source>& sources) {
   PackedFlight flight;
-  flight.problem = "it is in none of the databases";
+  flight.problem = "none of the databases has it";
   for (std::size_t i = 0; i < sources.size() && !flight.stored; ++i) {
     try {
       flight.stored = sources[i].trials.read(key);
@@ -44,17 +45,39 @@ PackedFlight packed_flight(const std::string& key, std::deque<Source>& sources) 
   return flight;
 }
 
+/// Why the flight failed: what was measured, by name, and in sentences.
+void add_explanation(const ExplanationRow& row, PackedFlight& flight) {
+  CauseFound found;
+  try {
+    found = {.cause = enum_from_text<Cause>(row.cause).value(),
+             .facts = facts_from_json(row.facts_json)};
+  } catch (const std::exception&) {
+    throw InputError("trial " + row.trial_key + ": its explanation is not as it was written");
+  }
+  const TrialRecord& record = flight.stored->row.record;
+  (*flight.json)["facts"] = nlohmann::ordered_json::parse(facts_json(found.facts));
+  (*flight.json)["explanation"] = paragraph(found, record.outcome, record.reason);
+}
+
 }  // namespace
 
 std::size_t bytes_in_page(const nlohmann::ordered_json& packed) {
   constexpr std::size_t kBeside_bytes = 400;  // start, goal, touches, names of all that
-  return packed["data"].get_ref<const std::string&>().size() + kBeside_bytes;
+  constexpr std::size_t kExplanation_bytes = 1500;
+  return packed["data"].get_ref<const std::string&>().size() + kBeside_bytes +
+         (packed.contains("facts") ? kExplanation_bytes : 0);
 }
 
 FlightReader::FlightReader(std::span<const PageDatabase> databases, std::vector<std::string> keys,
                            std::size_t ahead_bytes)
     : keys_(std::move(keys)), ahead_bytes_(ahead_bytes), flights_(keys_.size()) {
-  for (const PageDatabase& one : databases) files_.push_back(one.database->path());
+  for (const PageDatabase& one : databases) {
+    files_.push_back(one.database->path());
+    for (ExplanationRow& row : one.database->read_explanations()) {
+      std::string key = row.trial_key;
+      explanations_.emplace(std::move(key), std::move(row));
+    }
+  }
   const std::size_t count =
       std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, kMostReaders);
   for (std::size_t i = 0; i < std::min(count, keys_.size()); ++i) {
@@ -88,6 +111,9 @@ void FlightReader::work() {
     for (const std::filesystem::path& file : files_) sources.emplace_back(file);
     while (const std::optional<std::size_t> at = claimed()) {
       auto flight = std::make_unique<PackedFlight>(packed_flight(keys_[*at], sources));
+      const auto row = explanations_.find(keys_[*at]);
+      if (row != explanations_.end() && flight->json != nullptr)
+        add_explanation(row->second, *flight);
       const std::lock_guard lock(mutex_);
       if (flight->json != nullptr) bytes_ += bytes_in_page(*flight->json);
       flights_[*at] = std::move(flight);

@@ -3,6 +3,7 @@
 #include <condition_variable>
 #include <exception>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <nlohmann/json.hpp>
@@ -53,6 +54,7 @@ class FlightReader {
   std::optional<std::size_t> claimed();
 
   std::vector<std::filesystem::path> files_;
+  std::map<std::string, ExplanationRow> explanations_;  ///< by trial key
   const std::vector<std::string> keys_;
   const std::size_t ahead_bytes_;
   std::mutex mutex_;  ///< of all below but the threads

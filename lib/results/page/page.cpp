@@ -168,8 +168,8 @@ ordered_json PageScenes::world_of(const StoredTrial& stored, const ReplayFiles& 
     }
     if (world.digest != stored.world_digest) {
       warnings.push_back(
-          "a map is not the one that was flown: this program makes another one of "
-          "its spec, or its file has changed");
+          "a map is not the one that was flown: this program makes a different one from its spec, "
+          "or its file has changed");
     }
     entry->second = add_world(world);
   } catch (const InputError& error) {
@@ -236,9 +236,9 @@ ordered_json sweeps_page(const std::vector<PageSweep>& sweeps,
   warn_of_pairs(sweeps, filling.scenes.warnings);
   if (own_bytes > limit_bytes) {
     filling.scenes.warnings.push_back(
-        "no flight has room: the tables and the numbers of " + counted(trial_count, "trial") +
-        " alone take " + megabytes(own_bytes) + ", and the limit leaves " + megabytes(limit_bytes) +
-        " beside the page's program: the page is larger than that");
+        "no flight fits: the tables and the numbers of " + counted(trial_count, "trial") +
+        " alone take " + megabytes(own_bytes) + ", but the limit leaves " + megabytes(limit_bytes) +
+        " for data: the page is larger than the limit");
   }
   const std::vector<PageTrial> order = flights_in_order(sweeps);
   std::vector<std::string> keys;

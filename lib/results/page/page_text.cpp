@@ -2,13 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "base/input_error.hpp"
-
 namespace avoidbench {
-
-void require(const PageProgram& program) {
-  if (!program.missing.empty()) throw InputError(std::string(program.missing));
-}
 
 std::string html_text(std::string_view text) {
   std::string out;
@@ -70,7 +64,6 @@ std::size_t size_in_page(const nlohmann::ordered_json& json) {
 
 std::string page_text(const PageProgram& program, std::string_view title,
                       const nlohmann::ordered_json& data) {
-  require(program);
   std::string page(program.head);
   page += html_text(title);
   page += program.body;

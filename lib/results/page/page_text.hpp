@@ -9,14 +9,10 @@ namespace avoidbench {
 
 /// The program of a page, made by apps/page: what stands before a page's data and behind it.
 struct PageProgram {
-  std::string_view head;          ///< up to the title's text
-  std::string_view body;          ///< from the title's end to the beginning of the data
-  std::string_view tail;          ///< from the end of the data
-  std::string_view missing = {};  ///< why there is none, and what to do; "" where there is one
+  std::string_view head;  ///< up to the title's text
+  std::string_view body;  ///< from the title's end to the beginning of the data
+  std::string_view tail;  ///< from the end of the data
 };
-
-/// Throws InputError, saying what is missing, where the program has no page built in.
-void require(const PageProgram& program);
 
 /// Text for between two tags: & < > and quotes as entities.
 std::string html_text(std::string_view text);

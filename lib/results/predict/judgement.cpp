@@ -107,7 +107,7 @@ std::vector<Column> judgement_columns(std::vector<Column> keys, const std::strin
        .decimals = 3},
       {.name = "plain_brier",
        .header = "plain",
-       .doc = "the same of a prediction that says the planner's success rate elsewhere of all maps",
+       .doc = "the same for a prediction that gives each map the planner's success rate elsewhere",
        .decimals = 3},
       {.name = "within_interval",
        .header = "within",
@@ -159,7 +159,7 @@ Table calibration_table(const std::vector<JudgedMap>& maps) {
 std::vector<JudgedMap> leave_kinds_out(const FlownSet& set, double confidence) {
   const std::set<std::string> kinds = kinds_of(set);
   if (kinds.size() < 2) {
-    throw InputError("maps of one kind alone (" + joined(kinds) +
+    throw InputError("maps of only one kind (" + joined(kinds) +
                      "): there is no other to predict it from");
   }
   std::vector<JudgedMap> judged;
@@ -196,7 +196,7 @@ std::vector<JudgedMap> judged_by(const FlownSet& set, const FlownSet& flown, dou
     for (const FlownPlanner& planner : set.planners) there.push_back(planner.label);
     for (const FlownPlanner& planner : flown.planners) asked.push_back(planner.label);
     throw InputError("no planner of these flights (" + joined(asked) +
-                     ") is one that was flown before: " + joined(there));
+                     ") was flown before: " + joined(there));
   }
   return judged;
 }

@@ -92,7 +92,7 @@ Section prediction_section(const std::vector<PlannerModel>& models, const MapQue
         .decimals = 3},
        {.name = "predicted_success_rate",
         .header = "predicted SR",
-        .doc = "of missions on a map like the one asked for; the interval is of the share of " +
+        .doc = "of missions on a map like this one; the interval is for the share of " +
                std::to_string(question.lengths_m.size()) + " missions that succeed on " + percent +
                " of such maps",
         .decimals = 3,
@@ -125,7 +125,7 @@ Section prediction_section(const std::vector<PlannerModel>& models, const MapQue
         slope.mean, slope.interval, beyond.empty() ? Cell{} : Cell{.value = beyond}));
   }
   Section section{.name = "prediction"};
-  section.title = "Success that is to be expected on " + question.name;
+  section.title = "Expected success on " + question.name;
   for (const auto& [beyond, labels] : beyond_of) {
     section.warnings.push_back("beyond what was flown by " + joined(labels) + ": " + beyond);
   }

@@ -113,7 +113,7 @@ LimitSummary limits_of(const SweepResult& result, const LimitRule& rule) {
     const std::optional<double> value = number_in(trial.fields[*field]);
     const std::optional<std::size_t> level = value ? level_of(rule, *value) : std::nullopt;
     if (!level)
-      throw InputError("trial " + trial.key + ": its " + rule.field + " is none of the limit's");
+      throw InputError("trial " + trial.key + ": its " + rule.field + " is not one of the limit's");
     const std::size_t map = numbers.at(trial.map_key);
     const std::string& label = labels.at(trial.planner_key);
     LimitCell& cell = planners[label][{*level, map}];
@@ -167,7 +167,7 @@ Table limit_speed_table(const LimitSummary& summary) {
   constexpr std::size_t kGroups = 3;
   Table table = make_table(
       "limit_speeds",
-      "Speeds flown at these settings: what follows is a limit of the setting, not of a speed",
+      "Speeds flown at these settings: the limit is one of the setting, not of the flown speed",
       {planner_column(),
        {.name = "settings", .header = "setting", .unit = "m/s", .place = Place::key},
        {.name = "trial_count", .header = "trials"},
@@ -215,7 +215,7 @@ Table limit_table(const LimitSummary& summary) {
        {.name = "trial_count", .header = "trials"},
        {.name = "state",
         .doc = "state: whether success falls or rises with the field; more trials needed: the "
-               "interval is wider than was asked"},
+               "interval is wider than requested"},
        {.name = "first_rate",
         .header = "SR at " + shortest(rule.values.empty() ? 0.0 : rule.values.front()),
         .doc = "rates of the fitted curve at both ends of the range, with 95 % intervals",
@@ -233,7 +233,7 @@ Table limit_table(const LimitSummary& summary) {
                "limit",
         .decimals = 3},
        {.name = "field", .doc = "what was varied"},
-       {.name = "wanted_rate", .doc = "wanted_rate: the rate of success that is crossed"}});
+       {.name = "wanted_rate", .doc = "wanted_rate: the success rate at the limit"}});
   for (Column& column : table.columns) {
     // Read by those who ask for all of it.
     for (const char* unseen : {"map_inflation", "monotone_p", "field", "wanted_rate"}) {
@@ -267,7 +267,7 @@ Table limit_pair_table(const LimitSummary& summary) {
         .unit = "%",
         .doc = "share of the draws in which the first planner has the higher limit",
         .decimals = 1,
-        .brief = "how surely the first has the higher one"}});
+        .brief = "that the first has the higher one"}});
   const double range =
       summary.rule.is_set() ? summary.rule.values.back() - summary.rule.values.front() : 0.0;
   for (const LimitPair& pair : summary.pairs) {
@@ -305,15 +305,15 @@ std::vector<std::string> warnings_of(const LimitSummary& summary) {
   std::vector<std::string> warnings;
   if (summary.map_count < static_cast<std::int64_t>(kLeastMaps)) {
     warnings.push_back("on " + std::to_string(summary.map_count) +
-                       " maps: fewer than five say nothing of how maps differ, so that intervals "
-                       "are of these maps alone, and pairs are not told apart");
+                       " maps: fewer than five don't show how maps differ, so the intervals hold "
+                       "for these maps only, and pairs are not compared");
   }
   for (const PlannerLimit& planner : summary.planners) {
     const bool is_open = planner.estimate.state == LimitState::found &&
                          planner.estimate.width() > summary.rule.relative_width();
     if (!is_open) continue;
     warnings.push_back("the interval of " + planner.planner +
-                       " is wider than was asked; more maps, missions or trials would narrow it");
+                       " is wider than requested; more maps, missions or trials would narrow it");
   }
   return warnings;
 }

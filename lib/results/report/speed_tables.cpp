@@ -108,7 +108,7 @@ std::vector<std::string> speed_warnings(const SweepSummary& summary) {
   }
   if (!best.empty()) {
     warnings.push_back(joined(best) +
-                       ": a v90 that is too high by the choice; choose the setting on other maps");
+                       ": choosing makes its v90 too high; choose the setting on other maps");
   }
   return warnings;
 }

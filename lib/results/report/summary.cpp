@@ -276,8 +276,7 @@ SweepSummary summarize(SweepResult result, const ReportQuery& query) {
     summary.limits = limits_of(result, *rule);
     summary.warnings = warnings_of(summary.limits);
     if (!query.group_by.empty()) {
-      summary.warnings.emplace_back(
-          "not grouped: these trials were chosen by what they tell of limits");
+      summary.warnings.emplace_back("not grouped: these trials were chosen to find limits");
     }
     summary.maps = std::move(result.maps);
     return summary;

@@ -65,7 +65,7 @@ std::vector<Column> summary_columns(std::vector<Column> keys, std::span<const Me
                {.name = "success_rate",
                 .header = "SR",
                 .doc = "success_rate: finished of all trials, with a 95 % interval: Wilson's, from "
-                       "five maps on widened by how much the maps differ",
+                       "five maps on widened by the differences between maps",
                 .has_interval = true,
                 .brief = "success rate [95 % interval]"}});
   for (const MetricRow& metric : metrics) {
@@ -444,12 +444,12 @@ std::string why_without(const TableKind& kind, const SweepSummary& summary) {
   const std::string head = "no table " + std::string(kind.name) + ": ";
   const bool is_of_limits = kind.name.starts_with("limit");
   if (is_of_limits && !summary.limits.rule.is_set()) {
-    return head + "the sweep does not look for a limit";
+    return head + "the sweep does not search for a limit";
   }
   if (!is_of_limits && summary.limits.rule.is_set()) {
     return head +
-           "where a limit is looked for, trials lie at other values for each planner, and rates "
-           "and means of all of them say nothing";
+           "in a search for a limit, each planner's trials are at different values, so rates and "
+           "means over all of them mean nothing";
   }
   if (kind.name == "causes") return head + "no failure of it has been explained";
   if (kind.name == "pairs") return head + "the sweep has one planner";
@@ -481,7 +481,7 @@ Table causes_table(std::span<const CauseCount> counts, std::span<const std::stri
                              .decimals = 0}});
   for (const CauseCount& count : counts) {
     table.rows.push_back(make_row(
-        planners[count.planner], count.cause.empty() ? "(not told)" : count.cause, count.count,
+        planners[count.planner], count.cause.empty() ? "(not explained)" : count.cause, count.count,
         count.failure_count,
         100.0 * static_cast<double>(count.count) / static_cast<double>(count.failure_count)));
   }

@@ -29,7 +29,7 @@ void warn_of_few_trials(const SweepSummary& summary, Warnings& warnings) {
   }
   if (!few.empty()) {
     warnings.push_back("fewer than 10 trials of " + joined(few, ", ") +
-                       ": hardly more than anecdotes");
+                       ": too few for a conclusion");
   }
   // Cells of the table that is shown: the groups asked for, or else those by traversability.
   std::int64_t few_cells = 0, cells = 0;
@@ -147,8 +147,8 @@ void warn_of_mixtures(const SweepSummary& summary, const SweepResult& result, Wa
   std::vector<std::string> axes = axis_paths(result.spec_json);
   std::erase_if(axes, makes_maps);
   warnings.push_back(
-      "trials differ in more than planner, map and mission; this report takes them together" +
-      (axes.empty() ? "" : "; groups of planner," + joined(axes, ",") + " tell them apart"));
+      "trials differ in more than planner, map and mission; this report merges them" +
+      (axes.empty() ? "" : "; groups of planner," + joined(axes, ",") + " separate them"));
 }
 
 /// Missions a map that the planner's trials reach up to.
@@ -201,7 +201,7 @@ void warn_of_missing_trials(const SweepSummary& summary, const SweepResult& resu
   const std::int64_t missing =
       asked - invalid - left_out - static_cast<std::int64_t>(result.trials.size());
   if (missing <= 0) return;
-  warnings.push_back("the sweep is not done: " + std::to_string(missing) + " of its " +
+  warnings.push_back("the sweep is not finished: " + std::to_string(missing) + " of its " +
                      std::to_string(asked - invalid) +
                      " trials are not flown yet, and those that are may be the quick or easy ones");
 }

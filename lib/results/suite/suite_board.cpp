@@ -61,7 +61,7 @@ ordered_json entry_json(const BoardEntry& entry, const fs::path& page_folder) {
 
 BoardEntry entry_of(const fs::path& folder, const SuiteTrack& track, SuiteResult result) {
   if (track.sha256 != result.track_sha256) {
-    refuse_file(folder / kPlannerFile, "it was flown in another " + result.suite + "/" +
+    refuse_file(folder / kPlannerFile, "it was flown in a different " + result.suite + "/" +
                                            result.track +
                                            " than the one that is here (track_sha256)");
   }

@@ -61,7 +61,7 @@ SuiteRow row_from(const CsvReader& reader, const std::vector<std::string>& field
   }
   const auto word = [&](std::size_t i) { return std::string(text_of_csv_field(fields[i])); };
   const auto outcome = enum_from_text<Outcome>(word(5));
-  if (!outcome) reader.fail("outcome: '" + word(5) + "' is none");
+  if (!outcome) reader.fail("outcome: '" + word(5) + "' is invalid");
   return {.cell = word(0),
           .sweep = word(1),
           .map_seed = reader.number<std::uint64_t>(fields[2], "map_seed"),
@@ -247,7 +247,7 @@ std::string rows_problem(const SuiteSpec& suite, const SuiteResult& result) {
     }
     if (row.mission_index < 0 || row.mission_index >= missions) return place + ": no such mission";
     if (!seen.emplace(row.sweep, row.map_seed, row.mission_index).second) {
-      return place + ": it is there twice";
+      return place + ": it is listed twice";
     }
     maps_of[row.sweep].insert(row.map_seed);
     const bool is_there = row.outcome == Outcome::reached_goal;

@@ -252,7 +252,7 @@ SuiteTrack suite_track(const std::string& given) {
     known.clear();
     for (const std::string& name : suite.tracks) known.push_back((folder / name).string());
   }
-  throw InputError("'" + given + "' is no track of a suite" + did_you_mean(given, known) +
+  throw InputError("'" + given + "' is not a track of a suite" + did_you_mean(given, known) +
                    "; tracks: " + joined(known));
 }
 
@@ -263,10 +263,10 @@ std::string read_suite_key(const fs::path& file, const SuiteSpec& suite) {
   key.erase(key.begin(), std::find_if_not(key.begin(), key.end(), is_blank));
   // No part of the key is told: a log may be read by others.
   if (!is_sha256(key)) {
-    refuse_file(file, "is no key: expected 64 hexadecimal digits (0-9, a-f)");
+    refuse_file(file, "is not a key: expected 64 hexadecimal digits (0-9, a-f)");
   }
   if (const std::string hash = sha256(key); hash != suite.sealed_key_sha256) {
-    refuse_file(file, "is another key than that of " + suite.name + ": its SHA-256 is " + hash +
+    refuse_file(file, "is not the key of " + suite.name + ": its SHA-256 is " + hash +
                           ", expected " + suite.sealed_key_sha256);
   }
   return key;

@@ -74,7 +74,7 @@ struct Gltf {
     const auto found = root.find(array);
     if (found == root.end() || !found->is_array() || index >= found->size() ||
         !(*found)[index].is_object()) {
-      fail(place(array, index) + " is not there");
+      fail(place(array, index) + " is missing");
     }
     return (*found)[index];
   }
@@ -90,7 +90,7 @@ struct Gltf {
     if (number >= 0.0 && number < static_cast<double>(kMostWhole) && std::floor(number) == number) {
       return static_cast<std::uint64_t>(number);
     }
-    fail(std::string(what) + " is no whole number");
+    fail(std::string(what) + " is not a whole number");
   }
 
   /// A whole number of an object; nothing where the key is missing.
@@ -123,7 +123,7 @@ struct Gltf {
       }
       if (!decoded.contains(index)) {
         auto content = base64_decoded(text.substr(comma + 8));
-        if (!content) fail(place("buffers", index) + " is no base64");
+        if (!content) fail(place("buffers", index) + " is not base64");
         decoded[index] = std::move(*content);
       }
       bytes = decoded[index];
@@ -143,7 +143,7 @@ struct Gltf {
   Numbers accessor(std::uint64_t index, std::string_view type, std::uint64_t numbers) {
     const json& accessor = element("accessors", index);
     const std::string name = place("accessors", index);
-    if (accessor.contains("sparse")) fail(name + " is sparse, which is not read");
+    if (accessor.contains("sparse")) fail(name + " is sparse, which is not supported");
     const auto kind = accessor.find("type");
     if (kind == accessor.end() || *kind != type) fail(name + " is no " + std::string(type));
     Numbers found;
@@ -179,7 +179,7 @@ struct Gltf {
     if (component == 5121) return 1;
     if (component == 5123) return 2;
     if (component == 5125 || component == 5126) return 4;
-    fail(name + ": componentType " + std::to_string(component) + " is not read");
+    fail(name + ": componentType " + std::to_string(component) + " is not supported");
   }
 
   std::vector<Eigen::Vector3f> positions(std::uint64_t index) {
@@ -307,13 +307,13 @@ struct Gatherer {
 
   void add_primitive(const json& primitive, const std::string& name, std::vector<Surface>& to) {
     poll_caller();
-    if (!primitive.is_object()) from.fail(name + ": a primitive is no object");
+    if (!primitive.is_object()) from.fail(name + ": a primitive is not an object");
     const std::uint64_t mode = from.whole(primitive, "mode").value_or(4);
     if (mode < 4) return;  // points and lines
     if (mode > 6) from.fail(name + ": mode " + std::to_string(mode) + " is not known");
     if (primitive.contains("extensions") &&
         primitive["extensions"].contains("KHR_draco_mesh_compression")) {
-      from.fail(name + " is compressed by Draco, which is not read; export it uncompressed");
+      from.fail(name + " is compressed with Draco, which is not supported; export it uncompressed");
     }
     // A primitive without positions is nothing to bump into.
     const auto attributes = primitive.find("attributes");
@@ -393,8 +393,8 @@ struct Gatherer {
     const auto extensions = node.find("extensions");
     if (extensions != node.end() && extensions->contains("EXT_mesh_gpu_instancing")) {
       from.fail(name +
-                " stands in several places by EXT_mesh_gpu_instancing, which is not read; export "
-                "a node for each");
+                " has several instances (EXT_mesh_gpu_instancing), which is not supported; "
+                "export a node for each");
     }
     if (const auto index_of_mesh = from.whole(node, "mesh")) {
       const json& mesh = from.element("meshes", *index_of_mesh);
@@ -463,17 +463,17 @@ std::vector<MeshPart> parse_gltf(const MeshSource& source) {
   try {
     gltf.root = json::parse(bytes);
   } catch (const json::parse_error& error) {
-    fail_file(file, "is no glTF: its JSON ends or is wrong at byte " + std::to_string(error.byte));
+    fail_file(file, "is not glTF: its JSON ends or is wrong at byte " + std::to_string(error.byte));
   } catch (const json::out_of_range&) {
-    fail_file(file, "is no glTF: a number of its JSON is too large");
+    fail_file(file, "is not glTF: a number of its JSON is too large");
   }
-  if (!gltf.root.is_object()) fail_file(file, "is no glTF: its JSON is no object");
+  if (!gltf.root.is_object()) fail_file(file, "is not glTF: its JSON is not an object");
   const auto asset = gltf.root.find("asset");
   const bool has_asset = asset != gltf.root.end() && asset->is_object();
   const auto version = has_asset ? asset->find("version") : gltf.root.end();
   if (!has_asset || version == asset->end() || !version->is_string() ||
       !version->get_ref<const std::string&>().starts_with("2.")) {
-    fail_file(file, "is no glTF of version 2");
+    fail_file(file, "is not glTF of version 2");
   }
   // All meshes first, then the scene, which says where they stand.
   Gatherer gatherer{.from = gltf, .source = source};

@@ -89,7 +89,7 @@ LasHeader read_las_header(Stream& stream, const std::string& file) {
   if ((header.format & 0x80U) != 0) fail_compressed(file);
   if (header.format >= kPointSizes.size()) {
     fail_file(file,
-              "byte 104: point format " + std::to_string(header.format) + " is none of 0 to 10");
+              "byte 104: point format " + std::to_string(header.format) + " is not one of 0 to 10");
   }
   if (header.point_size < kPointSizes[header.format]) {
     fail_file(file, "byte 105: a point of format " + std::to_string(header.format) + " has " +

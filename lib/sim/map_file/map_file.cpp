@@ -4,6 +4,7 @@
 
 #include "base/digest.hpp"
 #include "base/input_file.hpp"
+#include "base/words.hpp"
 
 namespace avoidbench {
 
@@ -38,6 +39,29 @@ std::string extension_of(const std::string& file) {
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   }
   return extension;
+}
+
+const std::vector<std::string>& mesh_endings() {
+  static const std::vector<std::string> endings{"obj", "ply", "stl", "glb", "gltf"};
+  return endings;
+}
+
+const std::vector<std::string>& cloud_endings() {
+  static const std::vector<std::string> endings{"ply", "pcd", "las", "bt"};
+  return endings;
+}
+
+MapFileKind map_file_kind(const std::string& file) {
+  const std::string extension = extension_of(file);
+  if (extension == "ply") {
+    const std::string header = first_bytes(file, 4096);
+    const std::size_t faces = header.find("\nelement face ");
+    const bool has_faces =
+        faces != std::string::npos && header.compare(faces, 16, "\nelement face 0\n") != 0;
+    return has_faces ? MapFileKind::mesh : MapFileKind::point_cloud;
+  }
+  if (contains(mesh_endings(), extension)) return MapFileKind::mesh;
+  return contains(cloud_endings(), extension) ? MapFileKind::point_cloud : MapFileKind::unknown;
 }
 
 }  // namespace avoidbench

@@ -26,6 +26,14 @@ std::string bytes_digest(std::string_view bytes);
 /// The file's name after its last dot, lower-case: "ply".
 std::string extension_of(const std::string& file);
 
+/// The endings of files of meshes and of point clouds. A PLY may be either.
+const std::vector<std::string>& mesh_endings();
+const std::vector<std::string>& cloud_endings();
+
+/// What a map's file holds, by its ending; of a PLY by whether it has faces.
+enum class MapFileKind { mesh, point_cloud, unknown };
+MapFileKind map_file_kind(const std::string& file);
+
 /// Positions as they stand in a file: its units, its axes.
 using FilePoints = std::vector<Eigen::Vector3d>;
 

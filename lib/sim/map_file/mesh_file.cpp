@@ -53,7 +53,8 @@ Eigen::Vector3d take_position(std::string_view& words, const std::string& file, 
     const std::string_view word = take_word(words);
     const auto number = number_in<double>(word);
     if (!number) {
-      fail_file(file, word.empty() ? "too few numbers" : in_quotes(word) + " is no number", line);
+      fail_file(file, word.empty() ? "too few numbers" : in_quotes(word) + " is not a number",
+                line);
     }
     // As a float, in which it is kept: 1e300 would become infinite.
     if (!std::isfinite(static_cast<float>(*number))) {
@@ -67,22 +68,22 @@ Eigen::Vector3d take_position(std::string_view& words, const std::string& file, 
 void fail_corners(const std::string& file, int line) {
   fail_file(file,
             "a face of more than " + std::to_string(kMostCorners) +
-                " corners; cut it to triangles before",
+                " corners; cut it into triangles first",
             line);
 }
 
 void fail_crossing(const std::string& file, const std::string& face, int line) {
-  fail_file(file, face + " has edges that cross; cut it to triangles before", line);
+  fail_file(file, face + " has edges that cross; cut it into triangles first", line);
 }
 
 void fail_triangles(const MeshSource& source) {
   fail_file(source.file, "has more than " + std::to_string(source.most_triangles) +
-                             " triangles; decimate it before");
+                             " triangles; decimate it first");
 }
 
 void fail_vertices(const MeshSource& source) {
   fail_file(source.file, "has more than " + std::to_string(3 * source.most_triangles) +
-                             " vertices, three for each of the most triangles; decimate it before");
+                             " vertices, three for each of the most triangles; decimate it first");
 }
 
 std::vector<MeshPart> parse_mesh(std::string_view bytes, const std::string& file, Material fallback,

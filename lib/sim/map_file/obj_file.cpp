@@ -99,7 +99,7 @@ struct ObjReader {
   /// The vertex that a corner names: from 1 on, or from the last one back.
   std::uint32_t vertex_of(std::string_view corner, int line) const {
     const auto number = number_in<std::int64_t>(corner.substr(0, corner.find('/')));
-    if (!number) fail_file(source.file, in_quotes(corner) + " is no corner of a face", line);
+    if (!number) fail_file(source.file, in_quotes(corner) + " is not a corner of a face", line);
     const auto count = static_cast<std::int64_t>(vertices.size());
     if (*number == 0 || *number > count || *number < -count) {
       fail_file(source.file,
@@ -133,7 +133,8 @@ struct ObjReader {
   void add_line(std::string_view words, int line) {
     const std::string_view key = take_word(words);
     if (key.empty() || key[0] == '#') return;
-    if (words.ends_with('\\')) fail_file(source.file, "lines continued by \\ are not read", line);
+    if (words.ends_with('\\'))
+      fail_file(source.file, "lines continued with \\ are not supported", line);
     if (key == "v") add_vertex(words, line);
     if (key == "f") add_face(words, line);
     constexpr std::array<std::string_view, 3> kNamed{"o", "g", "usemtl"};

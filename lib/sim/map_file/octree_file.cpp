@@ -51,7 +51,7 @@ OctreeHeader read_octree_header(LineCursor& lines, const std::string& file) {
       header.nodes = *nodes;
       return header;
     } else {
-      fail_file(file, in_quotes(words[0]) + " is no word of an OctoMap header", lines.line);
+      fail_file(file, in_quotes(words[0]) + " is not a word of an OctoMap header", lines.line);
     }
   }
   fail_file(file, "the header does not end ('data')", lines.line);

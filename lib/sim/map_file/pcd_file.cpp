@@ -116,7 +116,7 @@ PcdHeader read_pcd_header(LineCursor& lines, const std::string& file) {
       header.points = *points;
       return header;
     } else {
-      fail_file(file, in_quotes(words[0]) + " is no word of a PCD header", lines.line);
+      fail_file(file, in_quotes(words[0]) + " is not a word of a PCD header", lines.line);
     }
   }
   fail_file(file, "the header does not end ('DATA ascii|binary|binary_compressed')", lines.line);
@@ -173,7 +173,7 @@ FilePoints ascii_points(const PcdHeader& header, LineCursor& lines, const std::s
         if (xyz[axis].word != k) continue;
         const auto number = number_in<double>(word);
         if (!number) {
-          fail_file(file, word.empty() ? "too few numbers" : in_quotes(word) + " is no number",
+          fail_file(file, word.empty() ? "too few numbers" : in_quotes(word) + " is not a number",
                     lines.line);
         }
         point[static_cast<Eigen::Index>(axis)] = *number;
@@ -266,7 +266,8 @@ FilePoints parse_pcd_points(std::string_view bytes, const std::string& file) {
   if (header.data == "ascii") return ascii_points(header, lines, file);
   if (header.data == "binary") return binary_points(header, lines.rest, file);
   if (header.data == "binary_compressed") return compressed_points(header, lines.rest, file);
-  fail_file(file, "DATA " + in_quotes(header.data) + " is none of ascii, binary, binary_compressed",
+  fail_file(file,
+            "DATA " + in_quotes(header.data) + " is not one of ascii, binary, binary_compressed",
             lines.line);
 }
 

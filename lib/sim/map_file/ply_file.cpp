@@ -63,7 +63,7 @@ std::optional<NumberType> type_of(std::string_view word) {
 
 NumberType known_type(std::string_view word, const std::string& file, int line) {
   const auto type = type_of(word);
-  if (!type) fail_file(file, in_quotes(word) + " is no type of a PLY property", line);
+  if (!type) fail_file(file, in_quotes(word) + " is not a type of a PLY property", line);
   return *type;
 }
 
@@ -75,7 +75,7 @@ void add_property(const std::vector<std::string_view>& words, PlyHeader& header,
   if (property.is_list) {
     property.count_type = known_type(words[2], file, line);
     if (property.count_type == NumberType::f32 || property.count_type == NumberType::f64) {
-      fail_file(file, "a list's count is no whole number", line);
+      fail_file(file, "a list's count is not a whole number", line);
     }
     property.type = known_type(words[3], file, line);
   } else if (words.size() == 3) {
@@ -123,7 +123,7 @@ PlyHeader read_ply_header(LineCursor& lines, const std::string& file) {
     } else if (words[0] == "property") {
       add_property(words, header, file, lines.line);
     } else {
-      fail_file(file, in_quotes(words[0]) + " is no word of a PLY header", lines.line);
+      fail_file(file, in_quotes(words[0]) + " is not a word of a PLY header", lines.line);
     }
     // Binary data after a header that does not end may look like lines for long.
     if (lines.line > kMostLines) break;
@@ -238,7 +238,7 @@ FilePoints ascii_points(const Element& vertex, LineCursor& lines, const std::str
   const std::size_t last = *std::max_element(xyz.begin(), xyz.end());
   for (std::size_t i = 0; i < last; ++i) {
     // Behind a list the place of a coordinate differs from line to line.
-    if (vertex.properties[i].is_list) fail_file(file, "a list stands before x, y and z");
+    if (vertex.properties[i].is_list) fail_file(file, "a list comes before x, y and z");
   }
   FilePoints points;
   for (std::uint64_t i = 0; i < vertex.count; ++i) {
@@ -251,7 +251,7 @@ FilePoints ascii_points(const Element& vertex, LineCursor& lines, const std::str
       const auto number = number_in<double>(word);
       if (!number) {
         const std::string what =
-            word.empty() ? "too few numbers" : in_quotes(word) + " is no number";
+            word.empty() ? "too few numbers" : in_quotes(word) + " is not a number";
         fail_file(file, what, lines.line);
       }
       for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -286,7 +286,7 @@ bool for_each_number(const PlyHeader& header, const Element& element, LineCursor
     const std::string_view word = take_word(*line);
     const auto number = number_in<double>(word);
     if (number) return *number;
-    fail_file(file, word.empty() ? "too few numbers" : in_quotes(word) + " is no number",
+    fail_file(file, word.empty() ? "too few numbers" : in_quotes(word) + " is not a number",
               lines.line);
   };
   for (std::size_t p = 0; p < element.properties.size(); ++p) {
@@ -385,7 +385,8 @@ struct MeshReader {
         if (property != list) return;
         // NaN is refused by this too.
         if (!(value >= 0.0 && value < static_cast<double>(vertices.size()))) {
-          fail_file(source.file, name_of("face", i) + " names a vertex that is not there", line());
+          fail_file(source.file, name_of("face", i) + " names a vertex that does not exist",
+                    line());
         }
         face.push_back(static_cast<std::uint32_t>(value));
       });

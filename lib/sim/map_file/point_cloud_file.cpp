@@ -4,12 +4,13 @@ namespace avoidbench {
 
 std::string_view conversion_of(std::string_view extension) {
   if (extension == "laz") {
-    return "convert it first, by 'pdal translate in.laz out.las' or 'laszip -i in.laz -o out.las'";
+    return "convert it first, with 'pdal translate in.laz out.las' or 'laszip -i in.laz -o "
+           "out.las'";
   }
   if (extension == "e57") {
-    return "convert it first, by 'pdal translate in.e57 out.las' or CloudCompare";
+    return "convert it first, with 'pdal translate in.e57 out.las' or CloudCompare";
   }
-  if (extension == "ot") return "convert it first, by 'convert_octree in.ot out.bt'";
+  if (extension == "ot") return "convert it first, with 'convert_octree in.ot out.bt'";
   return "";
 }
 
@@ -28,7 +29,7 @@ FilePoints parse_point_cloud(std::string_view bytes, const std::string& file) {
   const bool is_pcd = bytes.starts_with('#') || word == "VERSION" || word == "FIELDS";
   if (is_pcd) return parse_pcd_points(bytes, file);
   fail_file(file,
-            "begins as none of PLY ('ply'), PCD ('# .PCD'), LAS ('LASF') and OctoMap's .bt "
+            "does not begin as one of PLY ('ply'), PCD ('# .PCD'), LAS ('LASF') and OctoMap's .bt "
             "('# Octomap OcTree binary file')");
 }
 

@@ -58,7 +58,7 @@ void add_ascii(StlPart& part) {
     // Words are taken one by one: loops and normals are passed over.
     const std::string_view key = take_word(*line);
     if (key == "vertex") {
-      if (!is_open || corner >= 3) fail_file(file, "a vertex too many", lines.line);
+      if (!is_open || corner >= 3) fail_file(file, "one vertex too many", lines.line);
       corners[corner++] = take_position(*line, file, lines.line).cast<float>();
     } else if (key == "facet") {
       if (is_open) fail_file(file, "the facet before does not end", lines.line);
@@ -72,12 +72,12 @@ void add_ascii(StlPart& part) {
       is_open = false;
     } else if (key != "solid" && key != "endsolid" && key != "outer" && key != "endloop" &&
                !key.empty()) {
-      fail_file(file, in_quotes(key) + " is no word of an STL file", lines.line);
+      fail_file(file, in_quotes(key) + " is not a word of an STL file", lines.line);
     }
     // A file of several solids ends with the last of them.
     if (!key.empty()) has_ended = key == "endsolid";
   }
-  if (!has_ended) fail_file(file, "is truncated: it does not end by 'endsolid'", lines.line);
+  if (!has_ended) fail_file(file, "is truncated: it does not end with 'endsolid'", lines.line);
 }
 
 }  // namespace

@@ -74,7 +74,7 @@ void check_fields(const FileSpec& spec, const std::vector<std::string>& extensio
     problems.push_back("file: is not given; it is the map's file (" + known + ")");
   } else if (std::find(extensions.begin(), extensions.end(), extension) == extensions.end()) {
     const std::string hint(conversion_of(extension));
-    problems.push_back("file: '" + extension + "' is none of " + known +
+    problems.push_back("file: '" + extension + "' is not one of " + known +
                        (hint.empty() ? "" : ": " + hint));
   }
   if (!(spec.scale >= 1e-6 && spec.scale <= 1e6))
@@ -111,8 +111,7 @@ void check_fields(const FileSpec& spec, const std::vector<std::string>& extensio
 template <class FileSpec>
 void check_digest(const FileSpec& spec, const std::string& digest) {
   if (digest == spec.file_digest) return;
-  fail_file(spec.file,
-            "is not the file it was: its SHA-256 is not file_digest, " + spec.file_digest);
+  fail_file(spec.file, "has changed: its SHA-256 is not file_digest, " + spec.file_digest);
 }
 
 template <class FileSpec>
@@ -492,11 +491,11 @@ double coarser_m(double resolution_m, std::uint64_t triangles) {
 }  // namespace
 
 void find_problems(const MeshSpec& spec, std::vector<std::string>& problems) {
-  check_fields(spec, {"obj", "ply", "stl", "glb", "gltf"}, problems);
+  check_fields(spec, mesh_endings(), problems);
 }
 
 void find_problems(const PointCloudSpec& spec, std::vector<std::string>& problems) {
-  check_fields(spec, {"ply", "pcd", "las", "bt"}, problems);
+  check_fields(spec, cloud_endings(), problems);
   if (!(spec.resolution_m >= 0.01 && spec.resolution_m <= 10.0)) {
     problems.push_back("resolution_m: " + number(spec.resolution_m) + " is outside [0.01, 10]");
   }
@@ -514,7 +513,7 @@ World make_mesh(const MeshSpec& spec) {
   check_up_axis(spec, box);
   World world;
   for (const MeshPart& part : parts) add_part(part, world);
-  if (world.instances.empty()) fail_file(spec.file, "has no triangle with an area");
+  if (world.instances.empty()) fail_file(spec.file, "has no triangle with an area above 0");
   set_mean_width(world);
   set_bounds(spec, box, world);
   world.digest = world_digest(world);

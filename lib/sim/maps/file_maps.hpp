@@ -31,8 +31,8 @@ struct BoxSpec {
 
 template <class Visitor, ConstOr<BoxSpec> Spec>
 void visit(Visitor& v, Spec& s) {
-  v.field("lowest_m", s.lowest_m, Range{-10000, 10000}, "Corner [x, y, z]; []: found for you.");
-  v.field("highest_m", s.highest_m, Range{-10000, 10000}, "Corner [x, y, z]; []: found for you.");
+  v.field("lowest_m", s.lowest_m, Range{-10000, 10000}, "Corner [x, y, z]; []: computed.");
+  v.field("highest_m", s.highest_m, Range{-10000, 10000}, "Corner [x, y, z]; []: computed.");
 }
 
 /// A triangle mesh: OBJ, PLY, STL, GLB, or glTF with its buffers inside.
@@ -86,7 +86,8 @@ template <class Visitor, ConstOr<MeshSpec> Spec>
 void visit(Visitor& v, Spec& s) {
   v.field("file", s.file, "OBJ, PLY, STL, GLB or glTF file; relative to the sweep file's folder.");
   visit_file_fields(v, s);
-  v.field("material", s.material, "Look of surfaces whose material in the file is none of these.");
+  v.field("material", s.material,
+          "Look of surfaces whose material in the file is not one of these.");
 }
 
 template <class Visitor, ConstOr<PointCloudSpec> Spec>

@@ -94,7 +94,7 @@ void visit(Visitor& v, Spec& s) {
   v.field("corridor_m", s.corridor_m, Range{0.8, 10},
           "Free width of the corridors; narrower is harder.");
   v.field("loop_ratio", s.loop_ratio, Range{0, 1},
-          "Share of the walls inside that are opened besides: 0 leaves one way only.");
+          "Share of the inner walls that are opened in addition: 0 leaves only one way.");
   detail::visit_heights(v, s);
 }
 

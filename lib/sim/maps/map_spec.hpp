@@ -31,7 +31,7 @@ struct ForestSpec {
 struct HallSpec {
   static constexpr std::string_view kind = "hall";
   static constexpr std::string_view doc =
-      "A hall with upright cylinders, and crates, shelves and pillars if wanted.";
+      "A hall with upright cylinders, optionally also crates, shelves and pillars.";
   std::array<double, 2> area_m{20.0, 30.0};
   double poisson_radius_m = 3.5;
   std::array<double, 2> cylinder_diameter_m{0.5, 1.0};

@@ -58,27 +58,27 @@ template <class Visitor, ConstOr<MoversSpec> Spec>
 void visit(Visitor& v, Spec& s) {
   v.field("count", s.count, Range{0, 2000}, "How many there are.");
   v.field("density_1pm2", s.density_1pm2, Range{0, 2},
-          "Instead of `count`: so many for each square metre of the flight box, rounded.");
+          "Instead of `count`: number per square metre of the flight box, rounded.");
   v.field("kind", s.kind,
           "person: 0.5 x 0.3 x 1.75 m, rounded, on the ground; box and ball: in the air; pole: 0.2 "
           "m thick, 4 m high, on the ground; mixed: each in turn.");
   v.field("motion", s.motion,
           "stand; walk: to places drawn one after the other, along free ways, with pauses; cross: "
-          "to and fro across the line from start to goal, there when a vehicle at the speed limit "
-          "would be; trefoil: along a knot in the air or on the ground; chase: from beside the "
-          "start to the goal and back; mixed: walk, cross, trefoil and chase in turn.");
+          "back and forth across the line from start to goal, there when a vehicle at the speed "
+          "limit would be; trefoil: along a knot in the air or on the ground; chase: from beside "
+          "the start to the goal and back; mixed: walk, cross, trefoil and chase in turn.");
   v.field("speed_mps", s.speed_mps, Range{0.05, 30},
           "Speeds are drawn from this; of a trefoil it is the greatest.");
   v.field("size_m", s.size_m, Range{0.1, 5},
           "Edges of boxes and diameters of balls are drawn from this.");
   v.field("height_m", s.height_m, Range{0, 100},
-          "Middles of boxes and balls are so high above the ground, except those that cross or "
+          "Height of the middles of boxes and balls above the ground, except those that cross or "
           "chase: they keep to the line from start to goal.");
   v.field("trefoil_reach_m", s.trefoil_reach_m, Range{0.2, 50},
-          "Knots reach so far from their middles.");
+          "Reach of knots from their middles.");
   v.field("pause_s", s.pause_s, Range{0, 600}, "Longest pause at the places of a walk.");
   v.field("start_clearance_m", s.start_clearance_m, Range{0, 100},
-          "None begins nearer to the vehicle's start, horizontally.");
+          "Least horizontal distance from the vehicle's start at which one begins.");
 }
 
 }  // namespace avoidbench

@@ -54,7 +54,7 @@ void check_order(std::string_view name, const std::array<double, 2>& ends,
 std::vector<std::string> mover_problems(const MoversSpec& movers) {
   std::vector<std::string> problems;
   if (movers.count > 0 && movers.density_1pm2 > 0.0) {
-    problems.emplace_back("density_1pm2: stands instead of count, and both are given");
+    problems.emplace_back("density_1pm2: replaces count, but both are given");
   }
   check_order("speed_mps", movers.speed_mps, problems);
   check_order("size_m", movers.size_m, problems);

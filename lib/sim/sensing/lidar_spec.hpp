@@ -47,10 +47,10 @@ template <class Visitor, ConstOr<LidarPatternSpec> Spec>
 void visit(Visitor& v, Spec& s) {
   v.field("beams", s.beams, Range{1, 64}, "Beams that fire in turn.");
   v.field("points_per_s", s.points_per_s, Range{100, 2e6},
-          "Shots per second, those that come back with nothing included.");
+          "Shots per second, including those without a return.");
   v.field("turns_hz", s.turns_hz, Range{0.1, 1000}, "Turns about the sensor's z axis per second.");
   v.field("nods_hz", s.nods_hz, Range{0, 5000},
-          "Ways up and down again per second; no multiple of rate_hz, else sweeps are alike.");
+          "Up-and-down cycles per second; not a multiple of rate_hz, else sweeps are alike.");
   v.field("lowest_elevation_deg", s.lowest_elevation_deg, Range{-90, 90},
           "Least elevation above the horizon.");
   v.field("highest_elevation_deg", s.highest_elevation_deg, Range{-90, 90},
@@ -83,17 +83,17 @@ void visit(Visitor& v, Spec& s) {
   v.field("rate_hz", s.rate_hz, Range{1, 100},
           "Sweeps per second; a whole number of 1/36000 s ticks each.");
   v.field("delay_ms", s.delay_ms, Range{0, 1000}, "From a sweep's end until the planner gets it.");
-  v.field("min_range_m", s.min_range_m, Range{0, 10}, "Nothing comes back from nearer.");
-  v.field("max_range_m", s.max_range_m, Range{0.5, 1000}, "Nothing comes back from farther.");
+  v.field("min_range_m", s.min_range_m, Range{0, 10}, "Nearer surfaces give no return.");
+  v.field("max_range_m", s.max_range_m, Range{0.5, 1000}, "Farther surfaces give no return.");
   v.field("range_at_10_percent_m", s.range_at_10_percent_m, Range{0.5, 1000},
-          "How far a surface is seen that reflects a tenth of the light and is hit head-on; the "
-          "range of others grows with the square root of reflectance times cosine of incidence.");
+          "Range to a surface that reflects a tenth of the light and is hit head-on; the range to "
+          "others grows with the square root of reflectance times cosine of incidence.");
   v.field("range_sigma_m", s.range_sigma_m, Range{0, 1}, "Standard deviation of ranges.");
   v.field("angle_sigma_deg", s.angle_sigma_deg, Range{0, 5},
           "Standard deviation of a beam's direction against the reported one, along each of "
           "both axes across it.");
   v.field("dropout_ratio", s.dropout_ratio, Range{0, 1},
-          "Share of the beams that come back with nothing, whatever they meet.");
+          "Share of the beams without a return, whatever they meet.");
   v.field("divergence_mrad", s.divergence_mrad, Range{0, 100},
           "Full angle of the cone in which a beam's rays lie; with rays_per_beam.");
   v.field("rays_per_beam", s.rays_per_beam, Range{1, 16},

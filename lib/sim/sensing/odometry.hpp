@@ -24,7 +24,7 @@ struct OdometrySpec {
 
 template <class Visitor, ConstOr<OdometrySpec> Spec>
 void visit(Visitor& v, Spec& s) {
-  v.field("rate_hz", s.rate_hz, Range{1, 4000}, "New noise so many times per second.");
+  v.field("rate_hz", s.rate_hz, Range{1, 4000}, "How often new noise is drawn, per second.");
   v.field("delay_ms", s.delay_ms, Range{0, 1000},
           "Age of the state that the planner gets. The vehicle's own controller has no delay.");
   v.field("position_sigma_m", s.position_sigma_m, Range{0, 10}, "White noise on each axis.");

@@ -211,7 +211,7 @@ struct CameraSpec {
 template <class Visitor, class Spec>
 void visit_camera(Visitor& v, Spec& s) {
   v.field("name", s.name, "Name in reports.");
-  v.variant("kind", s.method, "How depth comes about.");
+  v.variant("kind", s.method, "How depth is computed.");
   v.field("width_px", s.width_px, Range{8, 4096}, "Image width.");
   v.field("height_px", s.height_px, Range{8, 4096}, "Image height.");
   v.field("fov_x_deg", s.fov_x_deg, Range{10, 170},
@@ -253,8 +253,8 @@ void visit(Visitor& v, Spec& s) {
           "Further cameras of other kinds, as [NAME, {preset: NAME, yaw_deg: …}, …], each with its "
           "own size, rate and delay.");
   v.field("lidars", s.lidars,
-          "Lidars, as [NAME, {preset: NAME, pitch_deg: 30}, …]; with kind `none` they are all that "
-          "is seen through.");
+          "Lidars, as [NAME, {preset: NAME, pitch_deg: 30}, …]; with kind `none` they are the only "
+          "sensors.");
 }
 
 /// The ready-made sensors; the first is the default of a trial.

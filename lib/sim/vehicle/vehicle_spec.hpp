@@ -188,9 +188,9 @@ void visit(Visitor& v, Spec& s) {
           "Torque per attitude error, body x y z.");
   v.field("rates_nms_per_rad", s.rates_nms_per_rad, Range{0, 1000},
           "Torque per body-rate error, body x y z.");
-  v.field("mass_kg", s.mass_kg, Range{0, 1000}, "What it takes the mass for; 0: what it is.");
+  v.field("mass_kg", s.mass_kg, Range{0, 1000}, "The mass that it assumes; 0: the true one.");
   v.field("gravity_mps2", s.gravity_mps2, Range{0, 30},
-          "What it takes gravity for; 0: what it is.");
+          "The gravity that it assumes; 0: the true one.");
   v.field("feed_forward", s.feed_forward,
           "Whether the reference's body rates and the body's gyroscopic torque enter (Lee et al. "
           "2010); RotorS has the yaw rate alone.");
@@ -198,7 +198,7 @@ void visit(Visitor& v, Spec& s) {
 
 template <class Visitor, ConstOr<VehicleSpec> Spec>
 void visit(Visitor& v, Spec& s) {
-  v.field("name", s.name, "What the tables call it.");
+  v.field("name", s.name, "Its name in tables.");
   v.field("mass_kg", s.mass_kg, Range{0.01, 1000}, "Total mass.");
   v.field("inertia_kgm2", s.inertia_kgm2, Range{1e-7, 1000},
           "Principal moments about the centre of gravity, body x y z.");

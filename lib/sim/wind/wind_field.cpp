@@ -78,7 +78,7 @@ class FieldReader {
     const Entry& one = entry(key, 1);
     const double value = one.numbers[0];
     if (!(value >= 1.0 && value <= kMost && value == std::floor(value))) {
-      fail(one.places[0], key + ": no whole number from 1 to 10000");
+      fail(one.places[0], key + ": not a whole number from 1 to 10000");
     }
     return static_cast<std::size_t>(value);
   }
@@ -101,10 +101,10 @@ class FieldReader {
         "bottom_z", "top_z", "u",   "v",   "w"};
     const std::string key(word);
     if (std::find(kKeys.begin(), kKeys.end(), key) == kKeys.end()) {
-      fail(place, "'" + key.substr(0, 40) + "' is no key" + did_you_mean(key, kKeys));
+      fail(place, "'" + key.substr(0, 40) + "' is not a key" + did_you_mean(key, kKeys));
     }
     const auto [entry, is_new] = entries_.emplace(key, Entry{place, {}, {}});
-    if (!is_new) fail(place, key + ": stands twice");
+    if (!is_new) fail(place, key + ": is given twice");
     open_ = &*entry;
   }
 
@@ -114,7 +114,8 @@ class FieldReader {
     const char* last = word.data() + word.size();
     const auto [end, error] = std::from_chars(word.data(), last, value);
     if (error != std::errc{} || end != last || !std::isfinite(value)) {
-      fail(place, open_->first + ": '" + std::string(word.substr(0, 40)) + "' is no finite number");
+      fail(place,
+           open_->first + ": '" + std::string(word.substr(0, 40)) + "' is not a finite number");
     }
     open_->second.numbers.push_back(value);
     open_->second.places.push_back(place);

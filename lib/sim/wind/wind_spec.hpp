@@ -156,7 +156,7 @@ void visit(Visitor& v, Spec& s) {
   v.field("field", s.field, "A wind that differs from place to place.");
   v.field("force_gust", s.force_gust, "A force for a while, as in RotorS.");
   v.field("kicks", s.kicks, "Random pushes and twists.");
-  v.field("seed", s.seed, "Another number, other random gusts, turbulence and kicks.");
+  v.field("seed", s.seed, "Another seed gives other random gusts, turbulence and kicks.");
 }
 
 }  // namespace avoidbench

@@ -1,7 +1,7 @@
 /* Drawing from a planner into `avoidbench replay`; a part of planner.hpp, which includes it.
  *
  * SPDX-License-Identifier: MIT
- * This header may be used in and linked with planners under any licence, closed ones too.
+ * Planners under any licence, including closed ones, may use this header and link with it.
  */
 #ifndef AVOIDBENCH_CANVAS_HPP
 #define AVOIDBENCH_CANVAS_HPP
@@ -17,7 +17,7 @@
 
 namespace avoidbench {
 
-/// A vector of three: metres, metres a second …; the name of the variable says of what and in which
+/// A vector of three: metres, metres per second …; the variable's name gives the quantity and the
 /// frame.
 using Vec3 = std::array<double, 3>;
 
@@ -28,9 +28,9 @@ struct IsThreeDoubles : std::false_type {};
 template <>
 struct IsThreeDoubles<Vec3> : std::true_type {};
 
-/// Draws into `avoidbench replay`: see AB_DEBUG_EXTENSION. Make it of the host (a constructor
+/// Draws into `avoidbench replay`: see AB_DEBUG_EXTENSION. Make it from the host (in a constructor
 /// (const ab_setup&, const ab_host&)) and keep it; cheap to copy. Points are in world coordinates,
-/// colours 0xRRGGBB, sizes in pixels (0: a usual one). All of it does nothing unless is_wanted().
+/// colours 0xRRGGBB, sizes in pixels (0: the default). Calls do nothing unless is_wanted().
 ///
 ///   if (canvas_.is_wanted()) canvas_.points("obstacles", 0x2060c0, obstacles_world());
 class Canvas {
@@ -41,7 +41,8 @@ class Canvas {
                                              : static_cast<const ab_debug*>(host.get_extension(
                                                    host.context, AB_DEBUG_EXTENSION))) {}
 
-  /// Whether anyone looks. Ask before computing what is only drawn; never let it change a command.
+  /// Whether drawings are shown. Check it before computing what is only drawn; commands must not
+  /// depend on it.
   bool is_wanted() const { return debug_ != nullptr && debug_->is_wanted(debug_->context) != 0; }
 
   /// Dots. `xyz` is 3 * count numbers.
@@ -59,12 +60,12 @@ class Canvas {
                 double size_px = 0.0) const {
     draw(AB_DRAW_SEGMENTS, label, color_rgb, xyz, count, size_px);
   }
-  /// `text` beside a point.
+  /// `text` next to a point.
   void text(const char* text, std::uint32_t color_rgb, const Vec3& at_world_m) const {
     draw(AB_DRAW_TEXT, text, color_rgb, at_world_m.data(), 1, 0.0);
   }
 
-  /// The same for vectors of Vec3, Eigen::Vector3d (planner_eigen.hpp) and alike.
+  /// The same for vectors of Vec3, Eigen::Vector3d (planner_eigen.hpp) and similar types.
   template <class Point>
   void points(const char* label, std::uint32_t color_rgb, const std::vector<Point>& of,
               double size_px = 0.0) const {

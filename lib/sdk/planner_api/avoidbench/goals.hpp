@@ -2,7 +2,7 @@
  * includes it.
  *
  * SPDX-License-Identifier: MIT
- * This header may be used in and linked with planners under any licence, closed ones too.
+ * Planners under any licence, including closed ones, may use this header and link with it.
  */
 #ifndef AVOIDBENCH_GOALS_HPP
 #define AVOIDBENCH_GOALS_HPP
@@ -18,7 +18,7 @@
 
 namespace avoidbench {
 
-/// All goals in order, each where it is at the start.
+/// All goals in order, each at its place at the start.
 inline std::vector<Vec3> goals_of(const ab_mission& mission) {
   // Older hosts know of one goal.
   const bool has_goals =
@@ -41,7 +41,7 @@ class CurrentGoal {
     std::copy(std::begin(mission.goal_world_m), std::end(mission.goal_world_m), place_.begin());
   }
 
-  /// Whether there is anything new: the next goal's turn has come, or the goal has moved.
+  /// Whether anything changed: the next goal is current, or the goal has moved.
   bool update(const ab_observation& seen) {
     // Older hosts show none: the mission's stays.
     if (seen.struct_size < offsetof(ab_observation, goal_world_m) + sizeof seen.goal_world_m) {
@@ -56,7 +56,7 @@ class CurrentGoal {
     return has_changed;
   }
 
-  /// Whether the last update() brought another goal, not one that has moved.
+  /// Whether the last update() brought another goal, rather than one that has moved.
   bool is_next() const { return is_next_; }
   const Vec3& place_world_m() const { return place_; }
 

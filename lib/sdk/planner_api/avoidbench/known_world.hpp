@@ -2,7 +2,7 @@
  * it.
  *
  * SPDX-License-Identifier: MIT
- * This header may be used in and linked with planners under any licence, closed ones too.
+ * Planners under any licence, including closed ones, may use this header and link with it.
  */
 #ifndef AVOIDBENCH_KNOWN_WORLD_HPP
 #define AVOIDBENCH_KNOWN_WORLD_HPP
@@ -17,9 +17,9 @@
 
 namespace avoidbench {
 
-/// Asks the host for the map: see AB_WORLD_EXTENSION. Make it of the host in a constructor
-/// (const ab_setup&, const ab_host&) and keep it; cheap to copy. Throws std::runtime_error where
-/// the host shows no map.
+/// Asks the host for the map: see AB_WORLD_EXTENSION. Make it from the host in a constructor
+/// (const ab_setup&, const ab_host&) and keep it; cheap to copy. Throws std::runtime_error if the
+/// host shows no map.
 class KnownWorld {
  public:
   explicit KnownWorld(const ab_host& host)
@@ -42,7 +42,7 @@ class KnownWorld {
     return distances;
   }
 
-  /// The shortest way for a ball of this radius from the start to the goal; empty where it has
+  /// The shortest path of a ball of this radius from the start to the goal; empty if it has
   /// none.
   std::vector<Vec3> shortest_path_m(double radius_m) const {
     const double* numbers = nullptr;

@@ -1,8 +1,8 @@
-/* Turns a plain C++17 class into the planner table of planner.h. Header-only, needs the standard
- * library alone.
+/* Turns a plain C++17 class into the planner table of planner.h. Header-only; needs only the
+ * standard library.
  *
  * SPDX-License-Identifier: MIT
- * This header may be used in and linked with planners under any licence, closed ones too.
+ * Planners under any licence, including closed ones, may use this header and link with it.
  *
  *   class Drift {
  *    public:
@@ -18,16 +18,19 @@
  *   };
  *   AVOIDBENCH_PLANNER(Drift)
  *
- * Also understood: `static constexpr const char* version` and `summary`; `profiles`, other sets of
- * defaults (see profile()); `least_fov_rad`, a std::array<double, 2> of the view across and down
- * that each camera must have; `files`, a std::array<const char*, n> that it depends on (see
- * AB_FILES_EXTENSION); `static void check()`, which throws where the planner can't fly, its weights
- * being damaged (see AB_CHECK_EXTENSION); `std::uint8_t place_at(const Vec3& point_world_m) const`,
- * AB_PLACE_… (see AB_MAP_EXTENSION); a constructor (const ab_setup&, const ab_host&), of whose host
- * Canvas draws and KnownWorld asks; a class without `parameters`. Where parameters name members,
- * settings_from() fills them in. An exception becomes AB_ERROR with its text; give_up("reason")
- * ends the trial. What ab_command.points refers to lives until the next call. CurrentGoal follows
- * missions of several goals; tracks.hpp says where what moves will be.
+ * Optional members of the class:
+ *   `static constexpr const char* version` and `summary`
+ *   `profiles`: other sets of defaults (see profile())
+ *   `least_fov_rad`: a std::array<double, 2>, the view across and down that each camera must have
+ *   `files`: a std::array<const char*, n> that it depends on (see AB_FILES_EXTENSION)
+ *   `static void check()`: throws if the planner can't fly, for example because its weights are
+ *       damaged (see AB_CHECK_EXTENSION)
+ *   `std::uint8_t place_at(const Vec3& point_world_m) const`: AB_PLACE_… (see AB_MAP_EXTENSION)
+ *   a constructor (const ab_setup&, const ab_host&): Canvas and KnownWorld use the host
+ *   `parameters` may be missing; if they name members, settings_from() fills these in.
+ * An exception becomes AB_ERROR with its text; give_up("reason") ends the trial. The points of
+ * ab_command.points must live until the next call. CurrentGoal follows missions with several goals;
+ * tracks.hpp predicts where moving objects will be.
  */
 #ifndef AVOIDBENCH_PLANNER_HPP
 #define AVOIDBENCH_PLANNER_HPP
@@ -69,7 +72,7 @@ constexpr std::uint32_t struct_size_of() {
 
 // declaring parameters
 
-/// A number in [lowest, highest]. `name` carries the unit: "cruise_speed_mps".
+/// A number in [lowest, highest]. `name` includes the unit: "cruise_speed_mps".
 constexpr ab_parameter parameter(const char* name, const char* unit, double preset, double lowest,
                                  double highest, const char* doc) {
   return {struct_size_of<ab_parameter>(),
@@ -112,7 +115,7 @@ constexpr ab_parameter text_parameter(const char* name, const char* preset, cons
 }
 
 /// While the choice parameter `choice` has the word `word`, the parameters in `numbers`, a static
-/// array, have these numbers where a sweep gives them no value:
+/// array, default to these numbers:
 ///   static constexpr std::array published{ab_named_number{"speed_mps", 2.0}};
 ///   static constexpr std::array profiles{avoidbench::profile("preset", "published", published)};
 template <std::size_t count>
@@ -177,8 +180,8 @@ struct MemberAt {
 }  // namespace AB_HIDDEN
 
 /// The same declarations, each with the member that takes the value, a double, an int or a string:
-/// `parameter<&Settings::speed_mps>("speed_mps", …)`. A member of a member is named by the way to
-/// it: `parameter<&Settings::grid, &Grid::resolution_m>("resolution_m", …)`.
+/// `parameter<&Settings::speed_mps>("speed_mps", …)`. For a member of a member, name both:
+/// `parameter<&Settings::grid, &Grid::resolution_m>("resolution_m", …)`.
 template <auto first, auto... inner>
 constexpr auto parameter(const char* name, const char* unit, double preset, double lowest,
                          double highest, const char* doc) {
@@ -201,7 +204,7 @@ constexpr auto text_parameter(const char* name, const char* preset, const char* 
   return detail::MemberAt<first, inner...>::setting(text_parameter(name, preset, doc));
 }
 
-/// The settings with the values that `setup` has for `parameters`, all that the planner declares.
+/// The settings with the values of `setup` for `parameters`, all that the planner declares.
 template <class Settings, std::size_t count>
 Settings settings_from(const std::array<Setting<Settings>, count>& parameters,
                        const ab_setup& setup) {
@@ -214,8 +217,8 @@ Settings settings_from(const std::array<Setting<Settings>, count>& parameters,
 }
 
 // while flying
-/// Thrown by a planner that knows it cannot reach the goal; the trial ends with planner_gave_up and
-/// this reason.
+/// A planner throws it if it knows that it cannot reach the goal; the trial ends with
+/// planner_gave_up and this reason.
 class GiveUp : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -223,7 +226,7 @@ class GiveUp : public std::runtime_error {
 
 [[noreturn]] inline void give_up(const std::string& reason) { throw GiveUp(reason); }
 
-/// A command of this kind with all else zero.
+/// A command of this kind with everything else zero.
 inline ab_command make_command(std::uint32_t kind) {
   ab_command command{};
   command.struct_size = struct_size_of<ab_command>();
@@ -404,7 +407,7 @@ struct Instance {
   Planner planner;
 };
 
-/// Runs `call` and turns what it throws into a status, with the text told to the host.
+/// Runs `call` and turns what it throws into a status, and passes the text to the host.
 template <class Call>
 ab_status guarded(const ab_host* host, Call&& call) noexcept {
   try {
@@ -520,8 +523,8 @@ struct Table {
 
 }  // namespace AB_HIDDEN
 
-/// The values of `Planner::parameters` in a setup, by name. A name that is not declared, or of
-/// another kind, throws, so that create fails with that text.
+/// The values of `Planner::parameters` in a setup, by name. Throws for a name that is not declared
+/// or has another kind, so that create fails with that text.
 template <class Planner>
 class AB_HIDDEN Parameters {
  public:
@@ -557,7 +560,7 @@ class AB_HIDDEN Parameters {
 
 }  // namespace avoidbench
 
-/// Exports `Class` as the planner of this library. Once a library, outside of any namespace.
+/// Exports `Class` as the planner of this library. Use it once per library, outside any namespace.
 #define AVOIDBENCH_PLANNER(Class)                                                          \
   extern "C" AB_EXPORT const ab_planner* avoidbench_planner_v1(std::uint32_t host_api) {   \
     return host_api == AVOIDBENCH_ABI_VERSION ? &::avoidbench::detail::Table<Class>::value \

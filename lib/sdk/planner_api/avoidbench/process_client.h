@@ -40,7 +40,7 @@ typedef struct ab_client {
   uint64_t segment_bytes;
   uint64_t answer_offset, answer_bytes, request_offset;
   uint64_t used; /* of the answer */
-  int is_full;   /* the answer has no room for what it should hold */
+  int is_full;   /* the answer does not fit */
   char error[AB_CLIENT_TEXT_BYTES];
   int has_error;
   char log[AB_CLIENT_MOST_LOG][AB_CLIENT_TEXT_BYTES];
@@ -74,7 +74,7 @@ static const void* ab_client_extension(void* context, const char* id) {
   return NULL;
 }
 
-/* Appends to the answer; the offset in the segment, 0 where there is no room. */
+/* Appends to the answer; the offset in the segment, 0 if it does not fit. */
 static uint64_t ab_client_add(ab_client* self, const void* bytes, uint64_t count) {
   const uint64_t at = (self->used + 7u) & ~(uint64_t)7u;
   if (at > self->answer_bytes || count > self->answer_bytes - at) {

@@ -1,13 +1,13 @@
-/* For planners that look at clocks or ask for chance: the same in every run. Link
- * avoidbench::repeatable into the planner's library, and in it and in what it links statically
- *   - clock_gettime, gettimeofday, time, clock, timespec_get and std::chrono's clocks tell the
- *     trial's time and one step more with each look: a budget of computing time is a number of
- *     looks, on any machine;
- *   - nanosleep, clock_nanosleep, usleep, sleep and std::this_thread::sleep_for take no time of the
- *     wall's, and that much of these clocks';
- *   - rand and random give the C library's numbers, from the beginning in each trial;
- *     std::random_device gives numbers that follow from the trial's seed.
- * Nothing of it is seen outside the library. Not covered: libraries that are linked dynamically,
+/* Makes planners that read clocks or use random numbers repeat in every run. Link
+ * avoidbench::repeatable into the planner's library; in it and in what it links statically
+ *   - clock_gettime, gettimeofday, time, clock, timespec_get and std::chrono's clocks return the
+ *     trial's time, plus one step for each reading: a budget of computing time is a number of
+ *     readings, on any machine;
+ *   - nanosleep, clock_nanosleep, usleep, sleep and std::this_thread::sleep_for take no wall time,
+ *     but advance these clocks;
+ *   - rand and random return the C library's numbers, from the beginning in each trial;
+ *     std::random_device returns numbers that depend on the trial's seed.
+ * It has no effect outside the library. Not covered: libraries that are linked dynamically,
  * waits with a time limit, getrandom, and whatever else depends on when threads run.
  *
  *   void reset(const ab_mission& mission) {
@@ -18,7 +18,7 @@
  *     const auto in_use = repeatable_.go_on(seen);
  *
  * SPDX-License-Identifier: MIT
- * This header may be used in and linked with planners under any licence, closed ones too.
+ * Planners under any licence, including closed ones, may use this header and link with it.
  */
 #ifndef AVOIDBENCH_REPEATABLE_HPP
 #define AVOIDBENCH_REPEATABLE_HPP

@@ -1,8 +1,8 @@
-/* What moves, for planners that declare AB_INPUT_TRACKS: where a track is at another time, and how
- * far a place is from it then. A part of planner.hpp, which includes it. Header-only, C++17.
+/* Moving objects, for planners that declare AB_INPUT_TRACKS: where a track is at another time, and
+ * how far a place is from it then. A part of planner.hpp, which includes it. Header-only, C++17.
  *
  * SPDX-License-Identifier: MIT
- * This header may be used in and linked with planners under any licence, closed ones too.
+ * Planners under any licence, including closed ones, may use this header and link with it.
  */
 #ifndef AVOIDBENCH_TRACKS_HPP
 #define AVOIDBENCH_TRACKS_HPP
@@ -17,8 +17,8 @@
 namespace avoidbench {
 
 /// The middle of the track's box at `time_s` (seconds since the start of the trial, as
-/// ab_observation.time_s), in the world, metres: as if it had gone on with the scan's velocity.
-/// Also of times before the scan.
+/// ab_observation.time_s), in the world, metres, if it keeps the scan's velocity. Also for times
+/// before the scan.
 inline Vec3 track_center_at(const ab_track& track, double time_s) {
   Vec3 center{};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -27,9 +27,9 @@ inline Vec3 track_center_at(const ab_track& track, double time_s) {
   return center;
 }
 
-/// The radius in metres of the upright cylinder around the track's box, whatever its heading, which
-/// a track does not tell: half of the longer side of what is round (person, ball, pole), half of
-/// the diagonal of the rest.
+/// The radius in metres of the upright cylinder around the track's box for any heading, which a
+/// track does not contain: half of the longer side for round objects (person, ball, pole), half of
+/// the diagonal for others.
 inline double track_radius_m(const ab_track& track) {
   const double a = 0.5 * track.size_m[0], b = 0.5 * track.size_m[1];
   const bool is_round =
@@ -38,8 +38,8 @@ inline double track_radius_m(const ab_track& track) {
 }
 
 /// How far a place in the world is from the track's surface at `time_s`, metres; negative inside.
-/// The surface is a ball's, or else that of an upright cylinder of track_radius_m(), so that the
-/// distance to the thing itself is never less, as long as it keeps its velocity.
+/// The surface is a ball's, or else that of an upright cylinder of track_radius_m(), so the
+/// distance to the object itself is never less, as long as it keeps its velocity.
 inline double distance_to_track_m(const ab_track& track, const Vec3& place_world_m, double time_s) {
   const Vec3 center = track_center_at(track, time_s);
   const double x = place_world_m[0] - center[0], y = place_world_m[1] - center[1];

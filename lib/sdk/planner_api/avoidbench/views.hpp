@@ -1,8 +1,8 @@
-/* What is seen, for planners in C++17: the newest image or sweep, and places in the world.
- * Header-only, needs the standard library alone; planner.hpp includes it.
+/* Helpers for what planners see, C++17: the newest image or sweep, and places in the world.
+ * Header-only, needs only the standard library; planner.hpp includes it.
  *
  * SPDX-License-Identifier: MIT
- * This header may be used in and linked with planners under any licence, closed ones too.
+ * Planners under any licence, including closed ones, may use this header and link with it.
  */
 #ifndef AVOIDBENCH_VIEWS_HPP
 #define AVOIDBENCH_VIEWS_HPP
@@ -17,7 +17,7 @@
 namespace avoidbench {
 
 /// The newest depth image, stereo pair or colour picture of one camera since the last call, or null
-/// where none is new. `camera`: index into ab_setup.cameras; 0 with AB_INPUT_ONE_CAMERA.
+/// if there is no new one. `camera`: index into ab_setup.cameras; 0 with AB_INPUT_ONE_CAMERA.
 inline const ab_depth_image* newest_depth(const ab_observation& seen, std::uint32_t camera) {
   std::uint32_t i = 0;
   while (i < seen.depth_count && seen.depth[i]->camera != camera) ++i;
@@ -34,8 +34,8 @@ inline const ab_picture* newest_color(const ab_observation& seen, std::uint32_t 
   return i < seen.color_count ? seen.color[i] : nullptr;
 }
 
-/// The newest sweep of one lidar since the last call, or null where none is new. `lidar`: index
-/// into ab_setup.lidars.
+/// The newest sweep of one lidar since the last call, or null if there is no new one. `lidar`:
+/// index into ab_setup.lidars.
 inline const ab_cloud* newest_cloud(const ab_observation& seen, std::uint32_t lidar) {
   std::uint32_t i = 0;
   while (i < seen.cloud_count && seen.clouds[i]->lidar != lidar) ++i;
@@ -61,8 +61,8 @@ inline Vec3 pixel_in_world(const ab_depth_image& image, double column_px, double
           turned[2] + image.position_world_m[2]};
 }
 
-/// The world point that a point of a de-skewed sweep shows. Of others it holds for the last points
-/// alone: the lidar was elsewhere when it saw the first ones.
+/// The world point that a point of a de-skewed sweep shows. For other sweeps it holds only for the
+/// last points: the lidar was elsewhere when it saw the first ones.
 inline Vec3 point_in_world(const ab_cloud& cloud, const ab_lidar_point& point) {
   const Vec3 turned =
       rotated(cloud.q_world_lidar, {static_cast<double>(point.position_lidar_m[0]),
@@ -72,8 +72,7 @@ inline Vec3 point_in_world(const ab_cloud& cloud, const ab_lidar_point& point) {
           turned[2] + cloud.position_world_m[2]};
 }
 
-/// The direction in the world, a unit vector, of the shot `index` of those that came back with
-/// nothing.
+/// The direction in the world, a unit vector, of shot `index` of those without a return.
 inline Vec3 miss_in_world(const ab_cloud& cloud, std::uint32_t index) {
   const float* const miss = cloud.misses_lidar + 3 * static_cast<std::size_t>(index);
   return rotated(cloud.q_world_lidar, {static_cast<double>(miss[0]), static_cast<double>(miss[1]),

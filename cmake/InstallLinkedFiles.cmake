@@ -1,0 +1,27 @@
+# Run by cmake --install: what the installed pages link to and is not installed yet, at its place in the repository, so that
+# no link of theirs is dead. Pages among these are followed in their turn. Of a folder only its README.md is installed.
+# Needs: source (the repository), data (where its copy is).
+file(GLOB_RECURSE waiting RELATIVE "${data}" "${data}/*.md")
+while(waiting)
+  list(POP_FRONT waiting page)
+  get_filename_component(folder "${page}" DIRECTORY)
+  file(READ "${data}/${page}" text)
+  string(REGEX REPLACE "[][;]" "|" text "${text}")  # they mean something in CMake's lists
+  string(REGEX MATCHALL "\\|\\([^)# :]+[)#]" links "${text}")
+  foreach(link IN LISTS links)
+    string(REGEX REPLACE "^..(.*).$" "\\1" link "${link}")
+    get_filename_component(file "${source}/${folder}/${link}" ABSOLUTE)
+    if(IS_DIRECTORY "${file}")
+      set(file "${file}/README.md")
+    endif()
+    file(RELATIVE_PATH path "${source}" "${file}")
+    if(NOT EXISTS "${file}" OR EXISTS "${data}/${path}" OR path MATCHES "^\\.\\.")
+      continue()
+    endif()
+    get_filename_component(place "${path}" DIRECTORY)
+    file(INSTALL "${file}" DESTINATION "${data}/${place}" USE_SOURCE_PERMISSIONS)
+    if(path MATCHES "\\.md$")
+      list(APPEND waiting "${path}")
+    endif()
+  endforeach()
+endwhile()
