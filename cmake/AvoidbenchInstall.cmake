@@ -48,5 +48,5 @@ install(FILES ${PROJECT_BINARY_DIR}/avoidbench-config.cmake ${PROJECT_BINARY_DIR
         DESTINATION ${package_folder} COMPONENT sdk)
 install(DIRECTORY planners/ros_shim/example/ DESTINATION ${data_folder}/planners/ros_example COMPONENT programs)
 install(CODE "set(source \"${PROJECT_SOURCE_DIR}\")
-set(data \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${data_folder}\")" COMPONENT programs)
+set(destination \"\${CMAKE_INSTALL_PREFIX}/${data_folder}\")" COMPONENT programs)
 install(SCRIPT ${PROJECT_SOURCE_DIR}/cmake/InstallLinkedFiles.cmake COMPONENT programs)

@@ -1,6 +1,7 @@
 # Run by cmake --install: what the installed pages link to and is not installed yet, at its place in the repository, so that
 # no link of theirs is dead. Pages among these are followed in their turn. Of a folder only its README.md is installed.
-# Needs: source (the repository), data (where its copy is).
+# Needs: source (the repository), destination (where its copy goes, without DESTDIR, which file(INSTALL) adds).
+set(data "$ENV{DESTDIR}${destination}")
 file(GLOB_RECURSE waiting RELATIVE "${data}" "${data}/*.md")
 while(waiting)
   list(POP_FRONT waiting page)
@@ -19,7 +20,7 @@ while(waiting)
       continue()
     endif()
     get_filename_component(place "${path}" DIRECTORY)
-    file(INSTALL "${file}" DESTINATION "${data}/${place}" USE_SOURCE_PERMISSIONS)
+    file(INSTALL "${file}" DESTINATION "${destination}/${place}" USE_SOURCE_PERMISSIONS)
     if(path MATCHES "\\.md$")
       list(APPEND waiting "${path}")
     endif()
