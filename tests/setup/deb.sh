@@ -22,8 +22,8 @@ cd /tmp
 avoidbench run quick --set trials=1 --jobs 1
 avoidbench report --page quick.html >/dev/null
 avoidbench planners new swift
-cmake -S swift -B swift/build >/dev/null && cmake --build swift/build >/dev/null
-avoidbench planners check swift/build/swift.so
+cmake -S swift -B swift/build -DCMAKE_PREFIX_PATH=/usr >/dev/null && cmake --build swift/build >/dev/null
+avoidbench planners check swift/build/planners/swift.so
 avoidbench planners new snake --kind python
 avoidbench planners check snake/snake.py
 echo "the package works here"
