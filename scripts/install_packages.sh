@@ -7,6 +7,7 @@
 #   ros_live   real ROS 1 nodes
 #   test       all tests except slow ones
 #   slow       all tests
+#   deb        the Debian package (make_deb.sh)
 #   plot       pictures of `report --plots`
 set -euo pipefail
 
@@ -31,7 +32,8 @@ test_packages=(
 )
 # A one-node Slurm for the test of scripts/slurm (independent of the system's services), and debootstrap for
 # scripts/fresh_system.sh. ROS 1 if the system still packages it; otherwise its test is skipped with a message.
-slow_packages=(munge slurmctld slurmd slurm-client debootstrap)
+deb_packages=(dpkg-dev file)  # what CPack finds shared libraries and their packages with
+slow_packages=("${deb_packages[@]}" munge slurmctld slurmd slurm-client debootstrap)
 if apt-cache show python3-rospy >/dev/null 2>&1; then slow_packages+=("${ros_live_packages[@]}"); fi
 
 case "${1:-build}" in
@@ -39,10 +41,11 @@ case "${1:-build}" in
   python) packages=("${build_packages[@]}" "${python_packages[@]}") ;;
   test) packages=("${build_packages[@]}" "${test_packages[@]}") ;;
   slow) packages=("${build_packages[@]}" "${test_packages[@]}" "${slow_packages[@]}") ;;
+  deb) packages=("${build_packages[@]}" "${deb_packages[@]}") ;;
   ros) packages=("${ros_packages[@]}") ;;
   ros_live) packages=("${ros_live_packages[@]}") ;;
   plot) packages=("${plot_packages[@]}") ;;
-  *) echo "usage: $0 build|python|ros|ros_live|test|slow|plot" >&2; exit 2 ;;
+  *) echo "usage: $0 build|python|ros|ros_live|test|slow|deb|plot" >&2; exit 2 ;;
 esac
 
 is_installed() { dpkg-query -W -f '${Status}' "$1" 2>/dev/null | grep -q '^install ok installed'; }

@@ -1,7 +1,8 @@
-#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <iostream>
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,45 +44,54 @@ bool is_planner_file(const fs::directory_entry& entry) {
 Submission submission_in(const fs::path& folder) {
   Submission found{.name = folder.filename().string(), .planner = {}, .problem = {}};
   std::vector<fs::path> files;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    if (is_planner_file(entry)) files.push_back(entry.path());
+  std::error_code error;
+  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+    if (is_planner_file(*at)) files.push_back(at->path());
   }
   for (const fs::path& file : files) {
     if (files.size() == 1 || file.stem() == found.name) found.planner = file;
   }
-  if (found.planner.empty()) {
-    found.problem = "has " + std::to_string(files.size()) + " .py or .so files" +
-                    ", expected one, or one named " + found.name;
+  if (error) {
+    found.problem = "can't be read: " + error.message();
+  } else if (found.planner.empty()) {
+    found.problem = "has " + std::to_string(files.size()) +
+                    " .py or .so files, expected one, or one named " + found.name;
   }
   return found;
 }
 
-/// By name. Files that are no planners are passed over.
+/// What an entry of the folder of submissions holds; nothing for files that are no planners.
+std::optional<Submission> submission_of(const fs::directory_entry& entry) {
+  const fs::path& path = entry.path();
+  if (path.filename() == "__pycache__" || path.filename().string().front() == '.') return {};
+  if (!entry.is_directory() && !is_planner_file(entry)) return {};
+  Submission found = entry.is_directory()
+                         ? submission_in(path)
+                         : Submission{.name = path.stem().string(), .planner = path, .problem = {}};
+  // A link may lead to somebody else's planner.
+  const bool is_link = entry.is_symlink() || fs::is_symlink(found.planner);
+  if (is_link) found.problem = "is a link, not a file";
+  return found;
+}
+
+/// By name; no two would be written into the same folder.
 std::vector<Submission> submissions_of(const std::string& folder) {
   if (!fs::is_directory(folder)) throw InputError(folder + ": not a folder of submissions");
-  std::vector<Submission> all;
+  std::map<std::string, Submission> by_folder;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    const fs::path& path = entry.path();
-    if (path.filename() == "__pycache__" || path.filename().string().front() == '.') continue;
-    if (entry.is_directory()) {
-      all.push_back(submission_in(path));
-    } else if (is_planner_file(entry)) {
-      all.push_back({.name = path.stem().string(), .planner = path, .problem = {}});
-    }
-    // A link may lead to somebody else's planner.
-    if (!all.empty() && (entry.is_symlink() || fs::is_symlink(all.back().planner))) {
-      all.back().problem = "is a link, not a file";
+    std::optional<Submission> found = submission_of(entry);
+    if (!found) continue;
+    const auto [other, is_new] = by_folder.try_emplace(safe_file_name(found->name), *found);
+    if (!is_new) {
+      throw InputError(folder + ": two submissions would share a folder: " + other->second.name +
+                       " and " + found->name);
     }
   }
-  if (all.empty()) throw InputError(folder + ": no submission: no folder, .py or .so in it");
-  std::sort(all.begin(), all.end(),
-            [](const Submission& a, const Submission& b) { return a.name < b.name; });
-  const auto twice =
-      std::adjacent_find(all.begin(), all.end(),
-                         [](const Submission& a, const Submission& b) { return a.name == b.name; });
-  if (twice != all.end()) {
-    throw InputError(folder + ": two submissions are named " + twice->name);
+  if (by_folder.empty()) {
+    throw InputError(folder + ": no submission: no folder, .py or .so in it");
   }
+  std::vector<Submission> all;
+  for (auto& [name, submission] : by_folder) all.push_back(std::move(submission));
   return all;
 }
 
