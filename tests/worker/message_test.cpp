@@ -53,6 +53,12 @@ TEST(MessageInbox, TakesAMessageByteByByte) {
   EXPECT_EQ(message->bytes, sent.bytes);
 }
 
+// A read that was interrupted leaves an inbox that never held a byte, whose data() is null.
+TEST(MessageInbox, IsIncompleteWithoutAByte) {
+  EXPECT_EQ(expecting().state(), State::incomplete);
+  EXPECT_EQ(MessageInbox().state(), State::incomplete);
+}
+
 TEST(MessageInbox, SeesAtOnceWhatIsNoMessage) {
   EXPECT_EQ(expecting().add(std::as_bytes(std::span("x", 1))), State::malformed);
   EXPECT_EQ(expecting().add(bytes_of(1, 2, 0)), State::malformed);

@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
+#include <span>
 #include <string>
 
 namespace avoidbench {
@@ -102,7 +103,8 @@ MessageInbox::State MessageInbox::add(std::span<const std::byte> bytes) {
 MessageInbox::State MessageInbox::state() const {
   Header header;
   const std::size_t known = std::min(bytes_.size(), sizeof header);
-  std::memcpy(&header, bytes_.data(), known);
+  std::ranges::copy(std::span(bytes_).first(known),
+                    std::as_writable_bytes(std::span(&header, 1)).begin());
   if (known < sizeof header) {
     // What differs from the first byte on need not be waited for.
     const bool begins = std::memcmp(&header, &kMagic, std::min(known, sizeof kMagic)) == 0;
