@@ -259,8 +259,10 @@ void add_sweep_options(CLI::App& app, RunCommand& options) {
 }
 
 void add_limit_options(CLI::App& command, RunCommand& options) {
-  add_number(command, "--plan-timeout", options.plan_timeout_s, CLI::PositiveNumber,
-             "Wall time after which a plan call counts as hung, s");
+  add_number(
+      command, "--plan-timeout", options.plan_timeout_s, CLI::PositiveNumber,
+      "Wall time after which a plan call counts as hung, s; waiting for a processor does not "
+      "count");
   add_number(command, "--trial-timeout", options.trial_timeout_s, CLI::PositiveNumber,
              "Wall time after which a trial counts as hung, s");
   add_number(command, "--memory-limit", options.memory_limit_mib, CLI::PositiveNumber,

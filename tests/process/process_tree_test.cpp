@@ -1,6 +1,7 @@
 #include "process/process_tree.hpp"
 
 #include <gtest/gtest.h>
+#include <sched.h>
 #include <signal.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
@@ -124,6 +125,30 @@ TEST(ProcessTree, MemoryOfChildrenCounts) {
   EXPECT_TRUE(comes_true([&] { return resident_mib_of_family() > alone_mib + 150.0; }));
   end_orphans({});
   EXPECT_LT(resident_mib_of_family(), alone_mib + 100.0);
+}
+
+TEST(ProcessTree, ThreadsThatShareAProcessorWaitForIt) {
+  if (processor_waits_ns().empty()) GTEST_SKIP() << "the kernel does not count it";
+  cpu_set_t one, all;
+  ASSERT_EQ(::sched_getaffinity(0, sizeof all, &all), 0);
+  CPU_ZERO(&one);
+  CPU_SET(static_cast<std::size_t>(::sched_getcpu()), &one);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::sched_setaffinity(0, sizeof one, &one);
+    for (volatile int i = 0;;) i = i + 1;
+  }
+  ::sched_setaffinity(0, sizeof one, &one);
+  const auto began = std::chrono::steady_clock::now();
+  while (std::chrono::steady_clock::now() - began < std::chrono::milliseconds(500)) {
+  }
+  const auto waits_ns = processor_waits_ns();
+  ::sched_setaffinity(0, sizeof all, &all);
+  end_family(child);
+  ASSERT_TRUE(waits_ns.contains(::gettid()));
+  ASSERT_TRUE(waits_ns.contains(child));
+  // A fair scheduler gives each half.
+  EXPECT_GT(waits_ns.at(::gettid()) + waits_ns.at(child), 100'000'000U);
 }
 
 }  // namespace

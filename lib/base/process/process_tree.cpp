@@ -70,18 +70,25 @@ ProcessState state_of(pid_t pid) {
                        (field(kPendingSignals) & kKill) != 0};
 }
 
+/// The entries of a folder of /proc that are numbers: processes, or a process's threads.
+std::set<pid_t> numbers_in(const std::string& path) {
+  std::set<pid_t> numbers;
+  DIR* folder = ::opendir(path.c_str());
+  if (folder == nullptr) return numbers;
+  while (const dirent* entry = ::readdir(folder)) {
+    pid_t number = 0;
+    const char* name = entry->d_name;
+    const char* end = name + std::strlen(name);
+    if (std::from_chars(name, end, number).ptr == end && number > 0) numbers.insert(number);
+  }
+  ::closedir(folder);
+  return numbers;
+}
+
 /// Every process that there is, by number.
 std::map<pid_t, ProcessState> all_processes() {
   std::map<pid_t, ProcessState> processes;
-  DIR* folder = ::opendir("/proc");
-  if (folder == nullptr) return processes;
-  while (const dirent* entry = ::readdir(folder)) {
-    pid_t pid = 0;
-    const char* name = entry->d_name;
-    const char* end = name + std::strlen(name);
-    if (std::from_chars(name, end, pid).ptr == end && pid > 0) processes[pid] = state_of(pid);
-  }
-  ::closedir(folder);
+  for (const pid_t pid : numbers_in("/proc")) processes[pid] = state_of(pid);
   return processes;
 }
 
@@ -144,6 +151,17 @@ double proportional_mib(const std::string& process) {
     if (word == "Pss:" && file >> kib) return kib / 1024.0;
   }
   return 0.0;
+}
+
+/// Adds how long each thread of the process has waited for a processor.
+void add_waits_ns(pid_t process, std::map<pid_t, std::uint64_t>& waits_ns) {
+  const std::string threads = "/proc/" + std::to_string(process) + "/task";
+  for (const pid_t thread : numbers_in(threads)) {
+    // "NANOSECONDS_RUN NANOSECONDS_WAITED TIMES_RUN"
+    std::ifstream file(threads + "/" + std::to_string(thread) + "/schedstat");
+    std::uint64_t run_ns = 0, waited_ns = 0;
+    if (file >> run_ns >> waited_ns) waits_ns[thread] = waited_ns;
+  }
 }
 
 double resident_mib() {
@@ -241,6 +259,14 @@ double resident_mib_of_family(double enough_mib) {
   for (const auto& [pid, process] : descendants({}))
     sum_mib += proportional_mib(std::to_string(pid));
   return sum_mib;
+}
+
+std::map<pid_t, std::uint64_t> processor_waits_ns() {
+  std::map<pid_t, std::uint64_t> waits_ns;
+  add_waits_ns(::getpid(), waits_ns);
+  if (!has_children()) return waits_ns;
+  for (const auto& [pid, process] : descendants({})) add_waits_ns(pid, waits_ns);
+  return waits_ns;
 }
 
 }  // namespace avoidbench

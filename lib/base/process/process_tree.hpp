@@ -2,6 +2,8 @@
 
 #include <sys/types.h>
 
+#include <cstdint>
+#include <map>
 #include <set>
 
 /// Processes that planners start, seen from the process that they descend from.
@@ -36,5 +38,9 @@ bool is_stopped_process(pid_t pid);
 /// Memory in use by this process and by all that descend from it. What is more than `enough_mib` is
 /// told exactly: what several processes share counts once, by shares.
 double resident_mib_of_family(double enough_mib = 0.0);
+
+/// How long each thread of this process and of all that descend from it could have run so far but
+/// waited for a processor, by the thread's number. Empty where the kernel does not count it.
+std::map<pid_t, std::uint64_t> processor_waits_ns();
 
 }  // namespace avoidbench

@@ -34,6 +34,7 @@
 #include "trial/planner_view.hpp"
 #include "trial/run_trial.hpp"
 #include "worker/crash_report.hpp"
+#include "worker/lost_time.hpp"
 
 namespace avoidbench {
 namespace {
@@ -53,29 +54,6 @@ class FileIdentity {
  private:
   struct stat file_ {};
   bool is_known_ = false;
-};
-
-/// How long a call's process was stopped, by a signal or with its machine: no time of the
-/// planner's.
-class StoppedTime {
- public:
-  /// Of a call that has lasted for `call_s`. To be asked ten times a second.
-  double in_call_s(double call_s) {
-    // Looks are a tenth of a second apart. A gap of a second or more means that the whole process
-    // stood still; a busy machine alone makes shorter ones.
-    constexpr double kLongestLook_s = 1.0;
-    const auto now = std::chrono::steady_clock::now();
-    const double look_s = std::chrono::duration<double>(now - last_).count();
-    last_ = now;
-    // A call shorter than the time since the last look is a new one.
-    if (call_s < look_s) stopped_s_ = 0.0;  // it began since
-    if (look_s > kLongestLook_s) stopped_s_ += std::min(look_s, call_s);
-    return stopped_s_;
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-  double stopped_s_ = 0.0;
 };
 
 /// What a process that a planner forks does first: it lets go of the worker's pipes, ends with the
@@ -318,12 +296,12 @@ void Worker::watch(const WorkerOptions& options) {
     // Often enough that a planner which grows by 1 GiB/s passes its limit by a tenth of that, and
     // cheap beside any flight.
     constexpr int kLooksASecond = 10;
-    StoppedTime stopped;
+    LostTime lost;
     for (int look = 0; !stop.stop_requested(); ++look) {
       std::this_thread::sleep_for(std::chrono::milliseconds(1000 / kLooksASecond));
       if (::getppid() != parent) ::_exit(1);  // a planner may have switched the death signal off
       const double call_s = clock->running_s();
-      if (call_s - stopped.in_call_s(call_s) > options.plan_timeout_s) end_hanging(kHungExitCode);
+      if (call_s - lost.in_call_s(call_s) > options.plan_timeout_s) end_hanging(kHungExitCode);
       if (options.memory_limit_mib > 0.0 &&
           resident_mib_of_family(options.memory_limit_mib) > options.memory_limit_mib) {
         ::_exit(kMemoryExitCode);
