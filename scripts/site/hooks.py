@@ -9,6 +9,7 @@ import posixpath
 import re
 import subprocess
 import sys
+import tempfile
 
 from mkdocs.structure.files import File
 
@@ -94,6 +95,15 @@ def relinked(page: str, text: str) -> str:
     return "".join(part if part.startswith("```") else LINK.sub(pointed, part) for part in parts)
 
 
+def board(program: str) -> bytes:
+    """The page of all committed results of the suites' split `public`."""
+    folders = sorted(str(folder) for folder in (ROOT / "results/suites").glob("*/*/public/*"))
+    with tempfile.TemporaryDirectory() as folder:
+        page = pathlib.Path(folder, "board.html")
+        subprocess.run([program, "suite", "board", *folders, "--page", page], stdout=subprocess.DEVNULL, check=True)
+        return page.read_bytes()
+
+
 def on_files(files, config):
     for path, text in collected_pages().items():
         place = site_path(path)
@@ -108,4 +118,5 @@ def on_files(files, config):
     program = os.environ.get("AVOIDBENCH_PROGRAM", str(ROOT / "build/release/avoidbench"))
     for place, content in reference.pages(program, ROOT).items():
         files.append(File.generated(config, place, content=content))
+    files.append(File.generated(config, "board.html", content=board(program)))
     return files
