@@ -15,8 +15,8 @@ from gymnasium.vector import AutoresetMode
 from gymnasium.vector.utils import batch_space
 from numpy.typing import ArrayLike, NDArray
 
-from avoidbench import _core
-from avoidbench._core import InputError
+from avoidbench._extension import InputError
+from avoidbench._extension import core as _core
 from avoidbench._input import plain_places
 from avoidbench._text import overrides, plain_text, yaml_text
 
