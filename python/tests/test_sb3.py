@@ -1,4 +1,4 @@
-"""Stable-Baselines3 learns from the adapter; where it is installed."""
+"""The adapter keeps the rules of Stable-Baselines3, and PPO runs on it; where that is installed."""
 
 from __future__ import annotations
 
@@ -79,7 +79,7 @@ def test_wrappers_of_stable_baselines3_agree() -> None:
         assert info["episode"]["r"] == pytest.approx(info["reward_sum"], abs=1e-4)
 
 
-def test_ppo_learns_with_images_and_unit_actions() -> None:
+def test_ppo_runs_with_images_and_unit_actions() -> None:
     sweep = {**SMALL, "sensor": {"preset": "depth_ideal", "width_px": 48, "height_px": 36}, "rates": {"plan_hz": 10}}
     envs = Sb3VecEnv(AvoidbenchVectorEnv(sweep, 8, **SAME, unit_actions=True, depth_dtype="uint8"))
     with warnings.catch_warnings():
