@@ -1,3 +1,4 @@
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -6,6 +7,7 @@
 #include <utility>
 
 #include "base/data_folder.hpp"
+#include "base/input_error.hpp"
 #include "base/number_text.hpp"
 #include "commands.hpp"
 #include "conformance/conformance.hpp"
@@ -14,6 +16,7 @@
 #include "plugin/planner_library.hpp"
 #include "plugin/planner_table.hpp"
 #include "process/program.hpp"
+#include "program_planner/planner_source.hpp"
 #include "report/table_rows.hpp"
 #include "yaml/yaml_values.hpp"
 
@@ -81,6 +84,16 @@ std::string values_of(const ParameterDef& def) {
          (def.kind == AB_INTEGER ? " whole" : "");
 }
 
+/// Which Python runs a planner's .py, and why that one. Throws InputError where there is none.
+std::string python_of(const std::filesystem::path& file) {
+  const char* named = std::getenv("AVOIDBENCH_PYTHON");
+  const bool is_named = named != nullptr && *named != '\0';
+  return words_to_start(file).front() +
+         (is_named ? " (named by AVOIDBENCH_PYTHON)"
+                   : " (the first of python3 on the PATH and /usr/bin/python3 that has NumPy; "
+                     "AVOIDBENCH_PYTHON names another)");
+}
+
 void describe(const std::string& plugin, const OutputOptions& options) {
   const PlannerDescription planner = describe_planner(find_planner(plugin, "."));
   Table table = make_list({"parameter", "unit", "values", "default", "doc"});
@@ -105,6 +118,7 @@ void describe(const std::string& plugin, const OutputOptions& options) {
     }
     text += "\n";
   }
+  if (planner.file.extension() == ".py") text += "  python    " + python_of(planner.file) + "\n";
   text += "  file      " + planner.file.string() + "\n";
   text += "  sha256    " + planner.file_digest + "\n";
   for (const PlannerFile& file : planner.files) {
@@ -180,6 +194,13 @@ void make_new(const std::string& name, const std::string& kind_word, bool is_her
   }
   std::cout << "  avoidbench planners check " << (is_here ? "./" : "") << plugin << '\n'
             << "  avoidbench run " << inside << "sweep.yaml\n";
+  if (!plugin.ends_with(".py")) return;
+  try {
+    const std::string python = python_of(plugin);
+    std::cout << "It is run by " << python << '\n';
+  } catch (const InputError& error) {
+    std::cerr << "warning: " << error.what() << '\n';  // the project is written all the same
+  }
 }
 
 struct WrapOptions {

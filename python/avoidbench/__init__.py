@@ -3,30 +3,41 @@
 World frame: ENU, z up, metres. Cameras: RDF (x right, y down, z forward). `T_a_b` takes b's coordinates to a's.
 `gymnasium.make` knows the environments of avoidbench.registration once this is imported.
 
-If the package has no extension, as next to an installed program, or if the program has started a planner, only what
+Without the extension avoidbench._core, as next to an installed program or in a folder of sources, results can be read
+and planners written; the rest raises ImportError when it is used. If the program has started a planner, only what
 planners need is imported: NumPy is enough."""
 
+import contextlib
 import os
 from importlib import import_module
-from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any
 
 from avoidbench.planner import Planner
 
-_IS_WHOLE = "AVOIDBENCH_PLANNER_FDS" not in os.environ and find_spec("avoidbench._core") is not None
+_IS_PLANNER = "AVOIDBENCH_PLANNER_FDS" in os.environ
+
+
+def _has_extension() -> bool:
+    try:
+        import_module("avoidbench._extension")
+    except ImportError:
+        return False
+    return True
+
+
+_IS_WHOLE = not _IS_PLANNER and _has_extension()
 
 if TYPE_CHECKING or _IS_WHOLE:
-    from avoidbench import _location as _location  # first: tells the extension where the program lies
-    from avoidbench._core import InputError
     from avoidbench._core import version as __version__
+    from avoidbench._extension import InputError
     from avoidbench.database_file import ResultsError
     from avoidbench.env import AvoidbenchEnv, AvoidbenchVectorEnv, Reward
     from avoidbench.program import ProgramError
-    from avoidbench.registration import register as _register
     from avoidbench.world import Missions, Nearest, Obstacle, Occupancy, World, look_at, make_world
 
-    InputError.__module__ = __name__
-    _register()
+if not _IS_PLANNER:
+    with contextlib.suppress(ImportError):  # who only reads results needs no Gymnasium
+        import_module("avoidbench.registration").register()
 
 if TYPE_CHECKING:
     from avoidbench.comparison import Comparison
@@ -59,40 +70,36 @@ __all__ = [
     "serve",
 ]
 
-# Imported when one of them is used: most take pandas.
+# Imported when one of them is used, unless that was done above: most take pandas or the extension.
 _MODULES = {
-    "Comparison": "comparison",
-    "Results": "results",
-    "fly": "flying",
-    "read": "results",
-    "run": "sweep_run",
-    "serve": "serving",
-}
-# And these the extension, where it was not imported.
-_OF_EXTENSION = {
     "AvoidbenchEnv": "env",
     "AvoidbenchVectorEnv": "env",
-    "InputError": "_core",
+    "Comparison": "comparison",
+    "InputError": "_extension",
     "Missions": "world",
     "Nearest": "world",
     "Obstacle": "world",
     "Occupancy": "world",
     "ProgramError": "program",
+    "Results": "results",
     "ResultsError": "database_file",
     "Reward": "env",
     "World": "world",
+    "fly": "flying",
     "look_at": "world",
     "make_world": "world",
+    "read": "results",
+    "run": "sweep_run",
+    "serve": "serving",
 }
 
 
 def __getattr__(name: str) -> Any:
-    if name == "__version__" and not _IS_WHOLE:
-        return import_module(f"{__name__}._core").version
-    module = _MODULES.get(name) or (None if _IS_WHOLE else _OF_EXTENSION.get(name))
-    if module is None:
+    if name == "__version__":
+        return import_module(f"{__name__}._extension").core.version
+    if name not in _MODULES:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    return getattr(import_module(f"{__name__}.{module}"), name)
+    return getattr(import_module(f"{__name__}.{_MODULES[name]}"), name)
 
 
 def __dir__() -> list[str]:

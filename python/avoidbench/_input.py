@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from contextlib import contextmanager
 
-from avoidbench._core import InputError
+from avoidbench._extension import InputError
 from avoidbench._text import without_columns
 
 

@@ -2,9 +2,8 @@
 
 import os
 import shutil
+from collections.abc import Callable
 from pathlib import Path
-
-from avoidbench import _core
 
 
 def program_file() -> Path:
@@ -27,8 +26,8 @@ def program_file() -> Path:
     if on_path and not _is_script(Path(on_path)):
         return Path(on_path)
     raise FileNotFoundError(
-        "the avoidbench program was not found. Looked for: the environment variable AVOIDBENCH_PROGRAM (not set), "
-        f"{', '.join(map(str, places))}, and avoidbench on the PATH"
+        "the avoidbench program was not found: install it (docs/install.md), or name it by the environment variable "
+        f"AVOIDBENCH_PROGRAM. Looked for: {', '.join(map(str, places))}, and avoidbench on the PATH"
     )
 
 
@@ -42,13 +41,11 @@ def _is_script(file: Path) -> bool:
         return start.read(2) == b"#!"
 
 
-def _tell_extension() -> None:
+def tell_program_file(tell: Callable[[str], None]) -> None:
+    """Gives program_file() to `tell`, if there is one. Raises FileNotFoundError if AVOIDBENCH_PROGRAM names none."""
     try:
-        _core.set_program_file(str(program_file()))
+        tell(str(program_file()))
     except FileNotFoundError:
         if os.environ.get("AVOIDBENCH_PROGRAM"):
             raise
         # Maps of generators and of files need no program.
-
-
-_tell_extension()

@@ -1,267 +1,29 @@
 """Gymnasium environments: flights that a learner steps. Episodes are trials of a sweep, with the same metrics."""
 
-import difflib
-import math
-import operator
-import os
-import warnings
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import asdict, dataclass
-from typing import Any, SupportsIndex
+from collections.abc import Mapping, Sequence
+from typing import Any
 
 import gymnasium
 import numpy as np
 from gymnasium.vector import AutoresetMode
 from gymnasium.vector.utils import batch_space
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
-from avoidbench import _core
-from avoidbench._core import InputError
-from avoidbench._input import plain_places
-from avoidbench._text import overrides, plain_text, yaml_text
-
-Observation = dict[str, NDArray[Any]]
-Sweep = str | os.PathLike[str] | Mapping[str, Any]
-RewardFunction = Callable[
-    [Observation, NDArray[np.float64], NDArray[np.float64], NDArray[np.bool_], NDArray[np.bool_]], ArrayLike
-]
-
-OBSERVATIONS = ("depth", "state", "goal", "pose", "imu", "stereo", "color", "points", "ranges")
-_MOST_SEED = 2**64 - 1
-_DTYPES: dict[str, Any] = {"stereo": np.uint8, "color": np.uint8, "pose": np.float64}
-
-
-@dataclass(frozen=True)
-class Reward:
-    """The reward of a step: progress, less time, and a term for the end."""
-
-    progress_per_m: float = 1.0
-    """For each metre gained along the mission's shortest free path."""
-    time_per_s: float = 0.1
-    """Subtracted for each simulated second."""
-    crash: float = 10.0
-    """Subtracted if the flight ends collided or out of the map."""
-    goal: float = 10.0
-    """Added if the goal is reached."""
-
-
-def _whole(value: SupportsIndex, name: str, lowest: int, highest: int) -> int:
-    try:
-        number = operator.index(value)
-    except TypeError:
-        raise TypeError(f"{name}: expected a whole number, got {type(value).__name__}") from None
-    if not lowest <= number <= highest:
-        raise ValueError(f"{name}: expected {lowest} … {highest}, got {number}")
-    return number
-
-
-def _real(value: Any, name: str) -> float:
-    if isinstance(value, bool) or not isinstance(value, (int, float, np.integer, np.floating)):
-        raise TypeError(f"{name}: expected a number, got {type(value).__name__}")
-    if not math.isfinite(value):
-        raise ValueError(f"{name}: {value} is not finite")
-    return float(value)
-
-
-def _observed(observe: Sequence[str]) -> tuple[str, ...]:
-    if isinstance(observe, str):
-        raise TypeError(f"observe: expected a list of names, got the text {observe!r}")
-    names = tuple(observe)
-    for name in names:
-        if name not in OBSERVATIONS:
-            alike = difflib.get_close_matches(str(name), OBSERVATIONS, 1)
-            hint = f" (did you mean {alike[0]}?)" if alike else ""
-            raise ValueError(f"observe: {name!r} is not one of {', '.join(OBSERVATIONS)}{hint}")
-    if not names or len(set(names)) != len(names):
-        raise ValueError("observe: expected at least one name, and each only once")
-    return names
-
-
-def _view_space(name: str, shape: Mapping[str, Any], depth: str) -> gymnasium.spaces.Box:
-    """Of one flight."""
-    cameras, height, width = shape["cameras"], shape["height_px"], shape["width_px"]
-    if name == "depth":
-        return gymnasium.spaces.Box(
-            0.0, 1.0 if depth == "inverse" else shape["max_range_m"], (cameras, height, width), np.float32
-        )
-    if name == "stereo":
-        return gymnasium.spaces.Box(0, 255, (cameras, 2, height, width), np.uint8)
-    if name == "color":
-        return gymnasium.spaces.Box(0, 255, (cameras, height, width, 3), np.uint8)
-    shots = (shape["lidars"], shape["lidar_shots"])
-    if name == "ranges":
-        return gymnasium.spaces.Box(0.0, 1.0 if depth == "inverse" else shape["lidar_max_range_m"], shots, np.float32)
-    if name == "points":
-        return gymnasium.spaces.Box(-np.inf, np.inf, (*shots, 3), np.float32)
-    sizes: dict[str, tuple[int, ...]] = {"state": (9,), "goal": (3,), "pose": (14,), "imu": (shape["imu_samples"], 7)}
-    return gymnasium.spaces.Box(-np.inf, np.inf, sizes[name], _DTYPES.get(name, np.float32))
-
-
-def _seen_from_above(points: NDArray[np.float32]) -> NDArray[np.uint8]:
-    """A grey picture (200, 200, 3) of a sweep (S, 3): its lidar in the middle, x up, y to the left, 10 pixels a metre;
-    what is within 1 m above and below is white, else it is grey."""
-    met = points[points.any(axis=1)]
-    rows, columns = np.round(100.0 - 10.0 * met[:, :2].astype(np.float64)).astype(np.int64).T
-    shown = (rows >= 0) & (rows < 200) & (columns >= 0) & (columns < 200)
-    picture = np.zeros((200, 200), np.uint8)
-    np.maximum.at(picture, (rows[shown], columns[shown]), np.where(np.abs(met[shown, 2]) < 1.0, 255, 90))
-    return np.repeat(picture[..., np.newaxis], 3, axis=2)
-
-
-def _array(actions: ArrayLike, wanted: tuple[int, ...], name: str) -> NDArray[Any]:
-    """`actions` as an array, if it has this shape and is of real numbers."""
-    try:
-        array = np.asarray(actions)
-    except ValueError as error:
-        raise ValueError(f"{name}: expected an array of shape {wanted}: {error}") from None
-    if array.dtype.kind not in "fiu":
-        raise TypeError(f"{name}: expected real numbers, got {array.dtype}")
-    if array.shape != wanted:
-        raise ValueError(f"{name}: expected an array of shape {wanted}, got {array.shape}")
-    return array
-
-
-class _Flights:
-    """The flights of an environment, their arrays and spaces."""
-
-    def __init__(
-        self,
-        sweep: Sweep,
-        slots: int,
-        threads: int | None,
-        set: Mapping[str, Any] | None,
-        observe: Sequence[str],
-        depth: str,
-        action: str,
-        frame: str,
-        trajectory_points: SupportsIndex,
-        trajectory_horizon_s: float,
-        reward: Reward | RewardFunction | None,
-        order: str,
-        seed: SupportsIndex,
-        kept_maps: SupportsIndex,
-        policy: str,
-    ) -> None:
-        self.observe, self.slots = _observed(observe), slots
-        for name, word in (
-            ("depth", depth),
-            ("action", action),
-            ("frame", frame),
-            ("order", order),
-            ("policy", policy),
-        ):
-            if not isinstance(word, str):
-                raise TypeError(f"{name}: expected a word, got {type(word).__name__}")
-        if reward is not None and not isinstance(reward, Reward) and not callable(reward):
-            raise TypeError(f"reward: expected a Reward, a function or None, got {type(reward).__name__}")
-        self.reward_function = reward if callable(reward) else None
-        weights = reward if isinstance(reward, Reward) else Reward(0.0, 0.0, 0.0, 0.0) if reward is None else Reward()
-        options = {
-            "observe": list(self.observe),
-            "depth": depth,
-            "action": action,
-            "frame": frame,
-            "order": order,
-            "policy": plain_text(policy, "policy"),
-            "slots": slots,
-            "threads": _whole(_default_threads() if threads is None else threads, "threads", 1, 1024),
-            "seed": _whole(seed, "seed", 0, _MOST_SEED),
-            "kept_maps": _whole(kept_maps, "kept_maps", 1, 10**6),
-            "trajectory_points": _whole(trajectory_points, "trajectory_points", 1, 1000),
-            "trajectory_horizon_s": _real(trajectory_horizon_s, "trajectory_horizon_s"),
-            **{name: _real(value, f"reward.{name}") for name, value in asdict(weights).items()},
-        }
-        given, text = _sweep_text(sweep)
-        with plain_places(given if text is not None else None):
-            self.core = _core.SteppedFlights(given, text, overrides(set or {}), options)
-        for warning in self.core.warnings:
-            warnings.warn(warning, stacklevel=4)
-        shape = self.core.shape()
-        self.step_s: float = shape["step_s"]
-        self.trial_count: int = shape["trial_count"]
-        self.action_space = gymnasium.spaces.Box(
-            np.array(shape["action_lowest"], np.float32), np.array(shape["action_highest"], np.float32)
-        )
-        self.observation_space = gymnasium.spaces.Dict({name: _view_space(name, shape, depth) for name in self.observe})
-        self.views: Observation = {name: self._view(name, self.observation_space[name]) for name in self.observe}
-        # What render() draws: points, also where only their ranges are observed.
-        self.drawn: NDArray[Any] | None = self.views.get("points")
-        if self.drawn is None and "ranges" in self.observe:
-            self.drawn = self._view("points", _view_space("points", shape, depth))
-        self.rewards = np.zeros(slots)
-        self._own_sums = np.zeros(slots)  # of the reward function, over the episode
-        self._ends = np.zeros((2, slots), np.uint8)
-        self.core.write_results(self.rewards, self._ends[0], self._ends[1])
-
-    def _view(self, name: str, space: gymnasium.Space[Any]) -> NDArray[Any]:
-        """The array that this observation is written to from now on."""
-        array: NDArray[Any] = np.zeros((self.slots, *(space.shape or ())), space.dtype)
-        self.core.write_view(name, array)
-        return array
-
-    @property
-    def terminated(self) -> NDArray[np.bool_]:
-        return np.asarray(self._ends[0] != 0)
-
-    @property
-    def truncated(self) -> NDArray[np.bool_]:
-        return np.asarray(self._ends[1] != 0)
-
-    def step(self, actions: ArrayLike, begins_next: bool) -> None:
-        """`actions`: (slots, width)."""
-        array = _array(actions, (self.slots, *(self.action_space.shape or ())), "actions")
-        numbers = np.ascontiguousarray(array, np.float64)
-        before = self.terminated | self.truncated
-        self._own_sums[before] = 0.0
-        self.core.step(numbers, begins_next)
-        if self.reward_function is not None:
-            own = np.asarray(
-                self.reward_function(self.views, numbers, self.rewards.copy(), self.terminated, self.truncated)
-            )
-            if own.dtype.kind not in "fiub":
-                raise TypeError(f"reward: expected real numbers from the function, got {own.dtype}")
-            if own.shape != (self.slots,):
-                raise ValueError(
-                    f"reward: expected an array of shape ({self.slots},) from the function, got {own.shape}"
-                )
-            if not np.isfinite(own).all():
-                raise ValueError(f"reward: the function gave {own[~np.isfinite(own)][0]}, which is not finite")
-            self.rewards[:] = np.where(before, 0.0, own)  # the first observation of an episode has no reward
-            self._own_sums += self.rewards
-
-    def __reduce__(self) -> str:
-        raise TypeError("an environment can't be copied or pickled: make another one with the same arguments")
-
-    def reset(self, seed: int | None, mask: NDArray[np.bool_] | None) -> None:
-        """Begins episodes in all slots, or in those of the mask."""
-        self.core.reset(seed, [] if mask is None else mask.astype(int).tolist())
-        self._own_sums[slice(None) if mask is None else mask] = 0.0
-
-    def ended(self) -> list[dict[str, Any]]:
-        """What is known of each episode that the last step ended, by slot."""
-        ends: list[dict[str, Any]] = self.core.ended()
-        for end in ends:
-            end["map_seed"] = np.uint64(end["map_seed"])  # Gymnasium makes an array of int64 of Python's numbers
-            if self.reward_function is not None:
-                end["reward_sum"] = float(self._own_sums[end["slot"]])
-        return ends
-
-
-def _default_threads() -> int:
-    return len(os.sched_getaffinity(0))
-
-
-def _sweep_text(sweep: Sweep) -> tuple[str, str | None]:
-    if isinstance(sweep, Mapping):
-        # Who flies is whoever steps; but a sweep names somebody.
-        return "the sweep", yaml_text({"planners": ["straight_line"], **sweep}, "sweep")
-    if not isinstance(sweep, (str, os.PathLike)):
-        raise TypeError(f"sweep: expected a file, a name or a dict, got {type(sweep).__name__}")
-    return plain_text(os.fspath(sweep), "sweep"), None
-
-
-def _seed_of(seed: int | None) -> int | None:
-    return None if seed is None else _whole(seed, "seed", 0, _MOST_SEED)
+from avoidbench._extension import InputError
+from avoidbench.flights import (
+    DEFAULT_REWARD,
+    OBSERVATIONS,
+    Flights,
+    Observation,
+    Reward,
+    RewardFunction,
+    Sweep,
+    observed,
+    real_array,
+    seed_of,
+    seen_from_above,
+    whole,
+)
 
 
 class AvoidbenchVectorEnv(gymnasium.vector.VectorEnv[Observation, NDArray[Any], NDArray[Any]]):
@@ -290,14 +52,18 @@ class AvoidbenchVectorEnv(gymnasium.vector.VectorEnv[Observation, NDArray[Any], 
         depth: of depth and ranges. "metric": metres, the greatest range if nothing returns; "inverse": the least
             range over that. In both, 0 means unknown: nearer than the least range, not matched by stereo, no image or
             sweep yet. A lidar's shot without a return has the greatest range, for whatever reason.
+        depth_dtype: of depth: "float32", or "uint8": 0 is unknown, else (byte - 1) / 254 is the inverse depth, or the
+            share of the greatest range, `depth_greatest_m`, if depth is "metric"; rounded to the nearest byte.
         action: "velocity" (vx, vy, vz, yaw rate), "acceleration" (ax, ay, az, yaw rate), "rates_thrust" (body rates,
             thrust over mass: 9.81 hovers), or "trajectory" (for each of `trajectory_points` x, y, z and yaw, from the
             vehicle's present place and heading, evenly spaced over `trajectory_horizon_s`). They take effect after the
             sweep's latency.
+        unit_actions: True: -1 … 1 stands for the least … greatest value that each number otherwise has in action_space
+            (for thrust 0 … that of all rotors), linearly and also beyond. False: SI units.
         frame: of velocities, accelerations and trajectories: "heading" or "world".
         reward: a Reward; a function of (observation, actions, default reward, terminated, truncated), arrays over N,
-            that returns (N,); or None for zeros. It must return finite values; if it raises, the step has been flown
-            nevertheless.
+            actions in SI units, that returns (N,); or None for zeros. It must return finite values; if it raises, the
+            step has been flown nevertheless.
         order: "random", or "in_turn": slot s flies the trials s, s + N, … of the sweep, then begins again: see
             `rounds`. Missions that can't be flown are skipped.
         seed: of the first reset() without a seed.
@@ -324,11 +90,13 @@ class AvoidbenchVectorEnv(gymnasium.vector.VectorEnv[Observation, NDArray[Any], 
         set: Mapping[str, Any] | None = None,
         observe: Sequence[str] = ("depth", "state", "goal"),
         depth: str = "inverse",
+        depth_dtype: str = "float32",
         action: str = "velocity",
+        unit_actions: bool = False,
         frame: str = "heading",
         trajectory_points: int = 10,
         trajectory_horizon_s: float = 1.0,
-        reward: Reward | RewardFunction | None = Reward(),
+        reward: Reward | RewardFunction | None = DEFAULT_REWARD,
         order: str = "random",
         seed: int = 1,
         autoreset_mode: AutoresetMode | str = AutoresetMode.NEXT_STEP,
@@ -339,17 +107,19 @@ class AvoidbenchVectorEnv(gymnasium.vector.VectorEnv[Observation, NDArray[Any], 
     ) -> None:
         if render_mode is not None:
             raise ValueError("render_mode: only AvoidbenchEnv draws, not a vector of flights")
-        self.num_envs = _whole(num_envs, "num_envs", 1, 65536)
+        self.num_envs = whole(num_envs, "num_envs", 1, 65536)
         self.autoreset_mode = AutoresetMode(autoreset_mode)
         self.copy = copy
-        self._flights: _Flights | None = _Flights(
+        self._flights: Flights | None = Flights(
             sweep,
             self.num_envs,
             threads,
             set,
             observe,
             depth,
+            depth_dtype,
             action,
+            unit_actions,
             frame,
             trajectory_points,
             trajectory_horizon_s,
@@ -368,8 +138,10 @@ class AvoidbenchVectorEnv(gymnasium.vector.VectorEnv[Observation, NDArray[Any], 
         """Simulated seconds between two observations."""
         self.trial_count = self._flights.trial_count
         """Number of trials of the sweep."""
+        self.depth_greatest_m = self._flights.depth_greatest_m
+        """Greatest range of the cameras, metres; NaN if depth is not observed."""
 
-    def _open(self) -> _Flights:
+    def _open(self) -> Flights:
         if self._flights is None:
             raise gymnasium.error.ClosedEnvironmentError("the environment is closed: make another one")
         return self._flights
@@ -407,7 +179,7 @@ class AvoidbenchVectorEnv(gymnasium.vector.VectorEnv[Observation, NDArray[Any], 
             if not array.any():
                 raise ValueError("options['reset_mask']: expected at least one slot")
             mask = array
-        flights.reset(_seed_of(seed), mask)
+        flights.reset(seed_of(seed), mask)
         return self._seen(), {}
 
     def step(
@@ -454,11 +226,13 @@ class AvoidbenchEnv(gymnasium.Env[Observation, NDArray[Any]]):
         set: Mapping[str, Any] | None = None,
         observe: Sequence[str] = ("depth", "state", "goal"),
         depth: str = "inverse",
+        depth_dtype: str = "float32",
         action: str = "velocity",
+        unit_actions: bool = False,
         frame: str = "heading",
         trajectory_points: int = 10,
         trajectory_horizon_s: float = 1.0,
-        reward: Reward | RewardFunction | None = Reward(),
+        reward: Reward | RewardFunction | None = DEFAULT_REWARD,
         order: str = "random",
         seed: int = 1,
         kept_maps: int = 16,
@@ -467,18 +241,20 @@ class AvoidbenchEnv(gymnasium.Env[Observation, NDArray[Any]]):
     ) -> None:
         if render_mode not in (None, "rgb_array"):
             raise ValueError(f"render_mode: expected 'rgb_array' or None, got {render_mode!r}")
-        if render_mode is not None and not {"depth", "points", "ranges"} & {*_observed(observe)}:
+        if render_mode is not None and not {"depth", "points", "ranges"} & {*observed(observe)}:
             raise ValueError("render_mode: pictures show depth, points or ranges, and none of these is observed")
         self.render_mode = render_mode
         self._depth = depth
-        self._flights: _Flights | None = _Flights(
+        self._flights: Flights | None = Flights(
             sweep,
             1,
             1,
             set,
             observe,
             depth,
+            depth_dtype,
             action,
+            unit_actions,
             frame,
             trajectory_points,
             trajectory_horizon_s,
@@ -494,9 +270,11 @@ class AvoidbenchEnv(gymnasium.Env[Observation, NDArray[Any]]):
         """Simulated seconds between two observations."""
         self.trial_count = self._flights.trial_count
         """Number of trials of the sweep."""
+        self.depth_greatest_m = self._flights.depth_greatest_m
+        """Greatest range of the cameras, metres; NaN if depth is not observed."""
         self.metadata = {**self.metadata, "render_fps": round(1.0 / self.step_s)}
 
-    def _open(self) -> _Flights:
+    def _open(self) -> Flights:
         if self._flights is None:
             raise gymnasium.error.ClosedEnvironmentError("the environment is closed: make another one")
         return self._flights
@@ -508,7 +286,7 @@ class AvoidbenchEnv(gymnasium.Env[Observation, NDArray[Any]]):
         self, *, seed: int | None = None, options: dict[str, Any] | None = None
     ) -> tuple[Observation, dict[str, Any]]:
         """Begins the next episode, or with a seed the first one that this seed chooses. There are no options."""
-        seed = _seed_of(seed)
+        seed = seed_of(seed)
         super().reset(seed=seed)
         if options:
             raise ValueError(f"options: {next(iter(options))!r} is not an option; there are none")
@@ -520,7 +298,7 @@ class AvoidbenchEnv(gymnasium.Env[Observation, NDArray[Any]]):
 
         Gives the observation, the reward, terminated (goal, crash), truncated (time limit) and infos."""
         flights = self._open()
-        array = _array(action, self.action_space.shape or (), "action")
+        array = real_array(action, self.action_space.shape or (), "action")
         flights.step(array[np.newaxis], False)
         info: dict[str, Any] = {}
         for end in flights.ended():
@@ -541,10 +319,10 @@ class AvoidbenchEnv(gymnasium.Env[Observation, NDArray[Any]]):
         if self.render_mode is None:
             return None
         if "depth" not in flights.views and flights.drawn is not None:
-            return _seen_from_above(flights.drawn[0, 0])
-        depth = np.concatenate(list(flights.views["depth"][0]), axis=1)
-        space = flights.observation_space["depth"]
-        near = depth / float(space.high.max())  # type: ignore[attr-defined]
+            return seen_from_above(flights.drawn[0, 0])
+        assert flights.depth is not None
+        depth = np.concatenate(list(flights.depth[0]), axis=1)
+        near = depth / flights.depth_greatest
         bright = np.sqrt(near) if self._depth == "inverse" else np.where(depth > 0.0, 1.0 - near, 0.0)
         return np.repeat(np.round(255.0 * bright).astype(np.uint8)[..., np.newaxis], 3, axis=2)
 

@@ -97,7 +97,7 @@ def fly(
         raise RuntimeError(
             "fly() was called while the program imports its planner's file: call it under if __name__ == '__main__'"
         )
-    from avoidbench._core import InputError
+    from avoidbench._extension import InputError
     from avoidbench.program import ProgramError
     from avoidbench.sweep_run import run
 

@@ -85,8 +85,6 @@ class Results:
         """
         return Results(self._given, name, revision)
 
-    # What the program says.
-
     def _choice_argument(self) -> list[str]:
         return [f"--sweep={self.choice}"] if self._sweep is not None else []
 
@@ -100,27 +98,13 @@ class Results:
         given as text. Empty if no trial has finished yet.
 
         Raises:
-            ProgramError: the program found the file damaged, or is missing.
+            ResultsError: a trial of the file is not what was stored.
         """
         state = state_of(self._path)
         if self._known_trials is None or self._known_trials[0] != state:
-            self._known_trials = (state, self._read_trials())
+            with opened(self._path) as connection:
+                self._known_trials = (state, tables.read_trials(connection, self._path, self._choices(connection)))
         return self._known_trials[1].copy()
-
-    def _read_trials(self) -> pd.DataFrame:
-        with opened(self._path) as connection:
-            choices = self._choices(connection)
-            chosen = " OR ".join("(sweep = ? AND revision = ?)" for _ in choices) or "0"
-            values = [value for choice in choices for value in choice]
-            specs = [row[0] for row in connection.execute(f"SELECT spec_json FROM sweeps WHERE {chosen}", values)]
-            has_trials = (
-                connection.execute(f"SELECT 1 FROM sweep_trials WHERE {chosen} LIMIT 1", values).fetchone() is not None
-            )
-            metrics = list(tables.read_metrics(connection)["name"])
-        if not has_trials:
-            return tables.no_trials(metrics)
-        output = run_program(["export", "trials", str(self._path), "--format=csv", *self._choice_argument()])
-        return tables.trials_of_csv(output.stdout, tables.text_axes_of(specs))
 
     def _report_arguments(
         self,
@@ -267,7 +251,7 @@ class Results:
         """The maps of the chosen sweeps, a row each, with their measures (m and 1/m²) and the fields that the
         sweeps vary, by path."""
         with opened(self._path) as connection:
-            return tables.read_maps(connection, self._choices(connection))
+            return tables.read_maps(connection, self._path, self._choices(connection))
 
     @property
     def missions(self) -> pd.DataFrame:

@@ -16,6 +16,7 @@ import numpy.typing as npt
 import pandas as pd
 
 from avoidbench.database_file import damaged
+from avoidbench.digests import digest_of
 
 FloatArray = npt.NDArray[np.float64]
 
@@ -62,19 +63,6 @@ def _row(connection: sqlite3.Connection, table: str, key: str) -> dict[str, Any]
     return None if found is None else dict(zip((c[0] for c in cursor.description), found))
 
 
-def _digested(name: str, value: Any) -> bytes:
-    """A column as flight_digest covers it: name, SQLite's type, value; nothing for NULL."""
-    if value is None:
-        return b""
-    head = struct.pack("<Q", len(name)) + name.encode()
-    if isinstance(value, int):
-        return head + struct.pack("<Qq", 1, value)
-    if isinstance(value, float):
-        return head + struct.pack("<Qd", 2, value)
-    text = str(value).encode()
-    return head + struct.pack("<QQ", 3, len(text)) + text
-
-
 def _event_rows(connection: sqlite3.Connection, key: str) -> list[tuple[Any, ...]]:
     return connection.execute(
         f"SELECT {', '.join(EVENT_COLUMNS)} FROM events WHERE trial_key = ? ORDER BY event_index", (key,)
@@ -88,18 +76,17 @@ def check_flight(connection: sqlite3.Connection, path: Path, key: str) -> None:
         ResultsError: they differ.
     """
     trial = _row(connection, "trials", key) or {}
-    covered = b""
+    covered: list[tuple[str, Any]] = []
     for table, columns in (
         ("trajectories", ("sample_count", "samples_digest")),
         ("plan_calls", ("call_count", "calls_digest")),
     ):
         row = connection.execute(f"SELECT {', '.join(columns)} FROM {table} WHERE trial_key = ?", (key,)).fetchone()
         if row is not None:
-            covered += b"".join(map(_digested, columns, row))
+            covered += zip(columns, row)
     for event in _event_rows(connection, key):
-        covered += b"".join(map(_digested, EVENT_COLUMNS, event))
-    # The program digests a text with its length before it.
-    if hashlib.sha256(struct.pack("<Q", len(covered)) + covered).hexdigest() != trial.get("flight_digest"):
+        covered += zip(EVENT_COLUMNS, event)
+    if digest_of(covered) != trial.get("flight_digest"):
         raise damaged(
             path, "trials", key, "its trajectory, plan calls or events are not those that were stored (flight_digest)"
         )

@@ -1,20 +1,19 @@
-"""Tables of a database as DataFrames: what the program exports, and what it stores of maps."""
+"""Tables of a database as DataFrames."""
 
 from __future__ import annotations
 
-import csv
-import io
 import json
-import math
 import re
 import sqlite3
 from collections.abc import Collection, Mapping, Sequence
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pandas as pd
 
-from avoidbench.database_file import SweepChoice
+from avoidbench.database_file import ResultsError, SweepChoice
+from avoidbench.digests import check_trials
 
 _TEXTS = frozenset(
     (
@@ -49,96 +48,30 @@ _COUNTS = frozenset(
     )
 )
 _FLAGS = frozenset(("is_finished", "is_privileged", "is_valid", "is_latest"))
-_NUMBER = re.compile(r"\+?-?((\d+\.?\d*|\.\d+)(e[+-]?\d+)?|inf|infinity|nan)", re.IGNORECASE)
 
 
-def text_of_csv_field(field: str) -> str:
-    """A field without the apostrophe that the program puts before what a spreadsheet would run."""
-    word = field.lstrip("'")
-    is_marked = field.startswith("'") and word[:1] in tuple("=+-@\t\r") and not _NUMBER.fullmatch(word)
-    return field[1:] if is_marked else field
+def _axes_of(path: Path, specs: Collection[str]) -> list[str]:
+    """What these sweeps vary, by path: their axes, and the parameters to which they give a planner several values."""
+    axes: list[str] = []
+    for text in specs:
+        try:
+            spec = json.loads(text)
+            axes += [axis["path"] for axis in spec.get("axes", [])]
+            first: dict[tuple[str, str], Any] = {}
+            for planner in spec.get("planners", []):
+                for parameter in planner.get("parameters", []):
+                    name = parameter["name"]
+                    if first.setdefault((planner["plugin"], name), parameter) != parameter:
+                        axes.append(f"planner.{name}")
+        except (ValueError, KeyError, TypeError, AttributeError) as error:
+            raise ResultsError(f"{path}: damaged: table sweeps: spec_json is not the spec of a sweep") from error
+    return list(dict.fromkeys(axes))
 
 
 def _is_axis(name: str) -> bool:
-    """Whether a column of the trials is what a sweep varies: it is called by its path."""
-    return "." in name or name == "seed"
-
-
-def _axis_column(cells: Sequence[str], is_text: bool) -> pd.Series[Any]:
-    """What a sweep varies: numbers where all its values are numbers."""
-    if is_text or not all(_NUMBER.fullmatch(cell) for cell in cells if cell):
-        return pd.Series([text_of_csv_field(cell) for cell in cells], dtype=object)
-    if all(re.fullmatch(r"-?\d{1,18}", cell) for cell in cells):
-        return pd.Series([int(cell) for cell in cells], dtype=np.int64)
-    return pd.Series([float(cell) if cell else math.nan for cell in cells], dtype=np.float64)
-
-
-def trials_of_csv(data: bytes, text_axes: Collection[str]) -> pd.DataFrame:
-    """The trials that `avoidbench export trials --format csv` wrote, to the last bit.
-
-    Args:
-        data: the program's output.
-        text_axes: what the sweep varies whose values are no numbers.
-    """
-    rows = list(csv.reader(io.StringIO(data.decode("utf-8"), newline=""), strict=True))
-    names, cells = rows[0], list(zip(*rows[1:])) or [()] * len(rows[0])
-    columns: dict[str, pd.Series[Any]] = {}
-    for name, column in zip(names, cells):
-        if _is_axis(name):
-            columns[name] = _axis_column(column, name in text_axes)
-        elif name == "map_seed":
-            columns[name] = pd.Series([int(cell) for cell in column], dtype=np.uint64)
-        elif name in _TEXTS:
-            columns[name] = pd.Series([text_of_csv_field(cell) for cell in column], dtype=object)
-        elif name in _COUNTS:
-            columns[name] = pd.Series([int(cell) for cell in column], dtype=np.int64)
-        elif name in _FLAGS:
-            columns[name] = pd.Series([bool(int(cell)) for cell in column], dtype=bool)
-        else:
-            columns[name] = pd.Series([float(cell) if cell else math.nan for cell in column], dtype=np.float64)
-    return pd.DataFrame(columns)
-
-
-def no_trials(metrics: Sequence[str]) -> pd.DataFrame:
-    """A table of no trials, for a sweep of which none has finished yet."""
-    header = (
-        "sweep",
-        "revision",
-        "planner",
-        "generator",
-        "map_seed",
-        "mission_index",
-        "outcome",
-        "is_finished",
-        "reason",
-        "cause",
-        "end_time_s",
-        *metrics,
-        "attempt",
-        "map_key",
-        "planner_key",
-        "trial_id",
-        "trial_key",
-    )
-    return trials_of_csv((",".join(header) + "\r\n").encode(), ())
-
-
-def text_axes_of(specs: Collection[str]) -> set[str]:
-    """What of these sweeps' axes and planners' parameters has a value that is no number, by path."""
-    found: set[str] = set()
-    for spec in map(json.loads, specs):
-        for axis in spec.get("axes", []):
-            if not all(isinstance(value, (int, float)) for value in axis["values"]):
-                found.add(axis["path"])
-        for planner in spec.get("planners", []):
-            found |= {f"planner.{one['name']}" for one in planner.get("parameters", []) if one.get("is_text")}
-    return found
-
-
-def _map_axes(specs: Collection[str]) -> list[str]:
-    """What these sweeps vary of their maps, by path: "map.poisson_radius_m"."""
-    paths = [axis["path"] for spec in specs for axis in json.loads(spec).get("axes", [])]
-    return list(dict.fromkeys(path for path in paths if path.startswith("map.")))
+    """Whether a column of the trials is what a sweep varies: it is called by its path. Other names than those of paths,
+    which a file of anybody's may have, are none."""
+    return name == "seed" or bool(re.fullmatch(r"\w+(\.\w+)+", name, re.ASCII) and len(name) <= _MOST_LETTERS)
 
 
 def _map_value(spec: Any, path: str) -> Any:
@@ -165,10 +98,12 @@ def frame_of(rows: Sequence[Mapping[str, Any]], names: Sequence[str]) -> pd.Data
     columns: dict[str, pd.Series[Any]] = {}
     for name in names:
         cells = [row.get(name) for row in rows]
-        if name == "map_seed":  # stored as the same bits with a sign
+        if _is_axis(name):
+            columns[name] = _value_column(cells)
+        elif name == "map_seed":  # stored as the same bits with a sign
             columns[name] = pd.Series([cell % 2**64 for cell in cells if cell is not None], dtype=np.uint64)
         elif name in _TEXTS:
-            columns[name] = pd.Series(cells, dtype=object)
+            columns[name] = pd.Series(["" if cell is None else cell for cell in cells], dtype=object)
         elif name in _COUNTS:
             columns[name] = pd.Series(cells, dtype=np.int64)
         elif name in _FLAGS:
@@ -229,49 +164,113 @@ MISSION_COLUMNS = (
     "map_key",
 )
 _FROM_FILES = ("mesh", "point_cloud")  # no fields of obstacles
+_MOST_AXES, _MOST_LETTERS = 200, 200  # that the program shows
+
+# As the view trial_table of lib/bench/store/views.sql. That of the file is its own, and not trusted.
+_TRIALS = """
+SELECT s.sweep, s.revision, p.label AS planner, m.generator, m.map_seed{axes},
+       m.traversability, m.traversability_normalized_ratio, m.relative_gap_size,
+       CASE WHEN m.generator IN ('mesh', 'point_cloud') THEN NULL ELSE m.obstacle_density_1pm2 END
+         AS obstacle_density_1pm2,
+       t.mission_index, i.start_x_m, i.start_y_m, i.start_z_m, i.goal_x_m, i.goal_y_m, i.goal_z_m,
+       i.reference_length_m, i.traversability_obstruction, i.view_occlusion, i.angle_over_length_1pm,
+       t.outcome, t.outcome = 'reached_goal' AS is_finished, t.reason,
+       (SELECT e.cause FROM explanations e WHERE e.trial_key = t.trial_key) AS cause, t.end_time_s{metrics},
+       p.name AS planner_name, p.version AS planner_version, p.is_privileged, r.program_version, r.git_hash,
+       t.attempt, t.map_key, t.planner_key, t.rowid AS trial_id, t.trial_key
+FROM sweep_trials s
+JOIN trials t USING (trial_key)
+JOIN planners p USING (planner_key)
+JOIN maps m ON m.map_key = t.map_key
+JOIN missions i ON i.map_key = t.map_key AND i.mission_index = t.mission_index
+JOIN runs r USING (run_id)
+WHERE {condition}
+ORDER BY s.sweep, s.revision, p.label, t.planner_key, t.map_key, t.mission_index, t.trial_key"""
 
 
 def _in_sweeps(choices: Sequence[SweepChoice]) -> tuple[str, list[Any]]:
+    if not choices:
+        return "0", []
     places = ", ".join("(?, ?)" for _ in choices)
     return f"(s.sweep, s.revision) IN (VALUES {places})", [value for choice in choices for value in choice]
 
 
-def read_maps(connection: sqlite3.Connection, choices: Sequence[SweepChoice]) -> pd.DataFrame:
+def _specs(connection: sqlite3.Connection, choices: Sequence[SweepChoice]) -> list[str]:
+    condition, values = _in_sweeps(choices)
+    return [row[0] for row in connection.execute(f"SELECT s.spec_json FROM sweeps s WHERE {condition}", values)]
+
+
+def _axis_query(axis: str) -> tuple[str, str]:
+    """SQL for the value of an axis, of a trial t on a map m, and its parameter."""
+    prefix = next((prefix for prefix in ("planner.filter.", "planner.") if axis.startswith(prefix)), "")
+    name = axis.removeprefix(prefix)
+    if prefix and name not in ("label", "plugin", "file_digest"):
+        return (
+            "(SELECT CASE WHEN json_extract(value, '$.is_text') THEN json_extract(value, '$.text') "
+            "ELSE json_extract(value, '$.number') END "
+            f"FROM json_each(t.spec_json, '$.{prefix}parameters') WHERE json_extract(value, '$.name') = ?)"
+        ), name
+    of_map = axis.startswith("map.")
+    parts = axis.removeprefix("map.").split(".")
+    path = "".join(f"[{part}]" if part.isdecimal() else f'."{part}"' for part in parts)
+    return f"json_extract({'m' if of_map else 't'}.spec_json, ?)", f"${path}"
+
+
+def read_trials(connection: sqlite3.Connection, path: Path, choices: Sequence[SweepChoice]) -> pd.DataFrame:
+    """The trials of these sweeps, a row each, as the program exports them.
+
+    Raises:
+        ResultsError: a trial of the file is not what was stored.
+    """
+    check_trials(connection, path)
+    condition, values = _in_sweeps(choices)
+    axes = [axis for axis in _axes_of(path, _specs(connection, choices)) if _is_axis(axis)][:_MOST_AXES]
+    queries = [_axis_query(axis) for axis in axes]
+    metrics = [row[0] for row in connection.execute("SELECT name FROM metric_definitions ORDER BY position")]
+    query = _TRIALS.format(
+        axes="".join(f', {sql} AS "{axis}"' for axis, (sql, _) in zip(axes, queries)),
+        metrics="".join(f""", t."{name.replace('"', '""')}\"""" for name in metrics),
+        condition=condition,
+    )
+    cursor = connection.execute(query, [*(parameter for _, parameter in queries), *values])
+    names = [column[0] for column in cursor.description]
+    rows = [dict(zip(names, row)) for row in cursor]
+    if all(row["generator"] in _FROM_FILES for row in rows):  # no fields of obstacles
+        names = [name for name in names if name not in ("relative_gap_size", "obstacle_density_1pm2")]
+    return frame_of(rows, names)
+
+
+def read_maps(connection: sqlite3.Connection, path: Path, choices: Sequence[SweepChoice]) -> pd.DataFrame:
     """The maps of these sweeps, a row each with MAP_COLUMNS and what the sweeps vary of them."""
-    rows: list[dict[str, Any]] = []
-    specs: list[str] = []
-    if choices:
-        condition, values = _in_sweeps(choices)
-        rows = _rows(
-            connection,
-            f"SELECT * FROM maps WHERE map_key IN (SELECT s.map_key FROM sweep_missions s WHERE {condition})",
-            values,
-        )
-        specs = [row[0] for row in connection.execute(f"SELECT s.spec_json FROM sweeps s WHERE {condition}", values)]
+    condition, values = _in_sweeps(choices)
+    rows = _rows(
+        connection,
+        f"SELECT * FROM maps WHERE map_key IN (SELECT s.map_key FROM sweep_missions s WHERE {condition})",
+        values,
+    )
     for row in rows:
         if row["generator"] in _FROM_FILES:
             row["obstacle_density_1pm2"] = None
     rows.sort(key=lambda row: (row["generator"], row["map_seed"] % 2**64, row["map_key"]))
     frame = frame_of(rows, MAP_COLUMNS)
     map_specs = [json.loads(row["spec_json"]) for row in rows]
-    for path in _map_axes(specs):
-        frame[path] = _value_column([_map_value(spec, path) for spec in map_specs])
+    for axis in _axes_of(path, _specs(connection, choices)):
+        if axis.startswith("map."):
+            frame[axis] = _value_column([_map_value(spec, axis) for spec in map_specs])
     return frame
 
 
 def read_missions(connection: sqlite3.Connection, choices: Sequence[SweepChoice]) -> pd.DataFrame:
     """The missions of these sweeps, a row each with MISSION_COLUMNS."""
-    rows: list[dict[str, Any]] = []
-    if choices:
-        condition, values = _in_sweeps(choices)
-        rows = _rows(
-            connection,
-            "SELECT i.*, s.sweep, s.revision, m.generator, m.map_seed FROM "
-            "sweep_missions s JOIN missions i USING (map_key, mission_index) JOIN maps m ON "
-            f"m.map_key = s.map_key WHERE {condition} ORDER BY s.sweep, s.revision, s.map_key, "
-            "s.mission_index",
-            values,
-        )
+    condition, values = _in_sweeps(choices)
+    rows = _rows(
+        connection,
+        "SELECT i.*, s.sweep, s.revision, m.generator, m.map_seed FROM "
+        "sweep_missions s JOIN missions i USING (map_key, mission_index) JOIN maps m ON "
+        f"m.map_key = s.map_key WHERE {condition} ORDER BY s.sweep, s.revision, s.map_key, "
+        "s.mission_index",
+        values,
+    )
     return frame_of(rows, MISSION_COLUMNS)
 
 

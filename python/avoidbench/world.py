@@ -9,7 +9,7 @@ from typing import Any, NamedTuple, SupportsIndex
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from avoidbench import _core
+from avoidbench._extension import core as _core
 from avoidbench._input import plain_places
 from avoidbench._text import overrides, plain_text, yaml_text
 

@@ -22,8 +22,7 @@ import numpy as np
 import pandas as pd
 import pytest
 from avoidbench import database_file
-from avoidbench.tables import text_of_csv_field, trials_of_csv
-from conftest import Program
+from conftest import TINY, Program, fly
 
 redigest = runpy.run_path(str(Path(__file__).parents[2] / "tests/support/redigest.py"))["redigest"]
 
@@ -92,6 +91,10 @@ def test_causes_are_texts(copy_db: Path, program: Program) -> None:
     failed = ~results.trials["is_finished"]
     assert failed.any() and all(results.trials.loc[failed, "cause"] != "")
     assert set(results.trials.loc[~failed, "cause"]) <= {""}
+    with edited(copy_db) as database:
+        database.execute("UPDATE explanations SET cause = 'tracking' || cause")
+    with pytest.raises(avoidbench.ResultsError, match="table explanations, row .*row_digest"):
+        _ = avoidbench.read(copy_db).trials
 
 
 def test_trials_of_axes_revisions_and_odd_labels(odd: avoidbench.Results, program: Program) -> None:
@@ -114,23 +117,25 @@ def test_trials_of_axes_revisions_and_odd_labels(odd: avoidbench.Results, progra
     assert len(odd.sweep("odd").trials) == 1
 
 
+def test_trials_of_planners_with_several_parameters(tmp_path: Path, program: Program) -> None:
+    planners = [{"plugin": "reactive", "label": f"h{h}", "parameters": {"lookahead_m": h}} for h in (3.0, 5.0)]
+    sweep = {
+        **TINY,
+        "trials": 1,
+        "planners": planners,
+        "axes": {"latency.mode": ["fixed", "zero"], "mission.return_to_start": [True, False]},
+    }
+    results = fly(sweep, tmp_path / "varied.db")
+    assert_same(results.trials, rows_of_jsonl(program("export", "trials", results.path, "--format", "jsonl")))
+    assert set(results.trials["planner.lookahead_m"]) == {3.0, 5.0}
+    assert set(results.trials["latency.mode"]) == {"fixed", "zero"}
+    assert set(results.trials["mission.return_to_start"]) == {0, 1}
+
+
 def test_a_changed_table_does_not_change_the_next_one(tiny: avoidbench.Results) -> None:
     trials = tiny.trials
     trials["path_length_m"] = 0.0
     assert (tiny.trials["path_length_m"] > 0.0).all()
-
-
-def test_infinity_and_marked_texts_survive_csv() -> None:
-    data = (
-        b"sweep,planner,map_seed,sensor.preset,x.y,min_clearance_m,is_finished,trial_key\r\n"
-        b"s,'=1+1,7,'-x,3,inf,1,ab\r\ns,'tis,7,\"a,\r\nb\",1e3,,0,cd\r\n"
-    )
-    frame = trials_of_csv(data, {"sensor.preset"})
-    assert list(frame["planner"]) == ["=1+1", "'tis"]
-    assert list(frame["sensor.preset"]) == ["-x", "a,\r\nb"]
-    assert frame["min_clearance_m"][0] == math.inf and math.isnan(frame["min_clearance_m"][1])
-    assert list(frame["x.y"]) == [3.0, 1000.0]
-    assert text_of_csv_field("-5") == "-5" and text_of_csv_field("''=a") == "'=a"
 
 
 def test_trajectories_are_those_of_the_programs_export(tiny: avoidbench.Results, program: Program) -> None:
@@ -412,7 +417,7 @@ def test_damage_is_an_error(copy_db: Path, change: str, read_it: str, message: s
 def test_a_changed_number_is_an_error(copy_db: Path) -> None:
     with edited(copy_db) as database:
         database.execute("UPDATE trials SET path_length_m = path_length_m + 1e-9 WHERE rowid = 1")
-    with pytest.raises(avoidbench.ProgramError, match="row_digest"):
+    with pytest.raises(avoidbench.ResultsError, match="table trials, row .*not those that were stored .row_digest"):
         _ = avoidbench.read(copy_db).trials
 
 
@@ -424,10 +429,19 @@ def test_another_schema_version_is_an_error(copy_db: Path, version: int) -> None
         avoidbench.read(copy_db)
 
 
+@pytest.mark.parametrize("spec", ["{}}", "[]", '{"axes": [1]}', '{"planners": [{"parameters": [{}]}]}'])
+def test_a_sweep_without_its_spec_is_an_error(copy_db: Path, spec: str) -> None:
+    with edited(copy_db) as database:
+        database.execute("UPDATE sweeps SET spec_json = ?", (spec,))
+    for read_it in ("trials", "maps"):
+        with pytest.raises(avoidbench.ResultsError, match="table sweeps: spec_json is not the spec of a sweep"):
+            getattr(avoidbench.read(copy_db), read_it)
+
+
 def test_a_digest_that_was_taken_out_is_an_error(copy_db: Path) -> None:
     with edited(copy_db) as database:
         database.execute("UPDATE trials SET row_digest = NULL, flight_digest = NULL")
-    with pytest.raises(avoidbench.ProgramError, match="it has no row_digest"):
+    with pytest.raises(avoidbench.ResultsError, match="it has no row_digest"):
         _ = avoidbench.read(copy_db).trials
     with pytest.raises(avoidbench.ResultsError, match="flight_digest"):
         avoidbench.read(copy_db).trajectory(1)

@@ -22,7 +22,6 @@ For a limit search (`avoidbench limit`) there is one figure instead:
 
 import argparse
 import hashlib
-import io
 import json
 import pathlib
 import re
@@ -63,10 +62,8 @@ def read_results(arguments):
     report = output_of(
         [arguments.program, "report", *databases, *choice, "--format", "json", "--metrics", ",".join(figures.REPORTED)]
     )
-    trials = output_of([arguments.program, "export", "trials", *databases, *choice])
-    return json.loads(report), pandas.read_csv(
-        io.StringIO(trials), dtype={"planner": str, "sweep": str}, float_precision="round_trip"
-    )
+    trials = output_of([arguments.program, "export", "trials", *databases, *choice, "--format", "jsonl"])
+    return json.loads(report), pandas.DataFrame([json.loads(line) for line in trials.split("\n") if line])
 
 
 def with_report_labels(trials):

@@ -24,7 +24,7 @@ def main():
     parser.add_argument("errors", type=pathlib.Path)
     parser.add_argument("figure", type=pathlib.Path)
     arguments = parser.parse_args()
-    errors = pandas.read_csv(arguments.errors, float_precision="round_trip")
+    errors = pandas.read_csv(arguments.errors)
     value = errors.columns[0]
     if value == "sensor":
         parser.error(f"{arguments.errors}: no value is swept: measure with --over PATH=VALUES")

@@ -101,7 +101,7 @@ def column_figure(height_in, planners=()):
 
 def page_figure(rows, columns, height_in):
     figure, axes = pyplot.subplots(rows, columns, figsize=(PAGE_IN, height_in))
-    figure.set_constrained_layout_pads(w_pad=0.04, h_pad=0.03, wspace=0.03)
+    figure.get_layout_engine().set(w_pad=0.04, h_pad=0.03, wspace=0.03)
     return figure, axes
 
 

@@ -84,6 +84,8 @@ def main():
         run(
             [
                 python(),
+                "-W",
+                "error:::__main__",  # of pandas, about how it is called
                 str(script),
                 "results/tiny.db",
                 "--output",
