@@ -19,7 +19,7 @@ export interface Entry extends Look {
   outcome: string;
   reason: string;
   cause: string;
-  id: number;
+  id: number | string;
   key: string;
   facts: [string, string][];
 }
