@@ -41,17 +41,22 @@ export async function checkComparison({ opened, finish, check, figureRows, colou
   await page.click('button:has-text("with another outcome")');
   await page.waitForSelector("tr[data-pair]");
   const flips = await page.$$eval("tr[data-pair]", (rows) =>
-    rows.map((row) => [2, 3, 4].map((i) => row.children[i].textContent.trim().replaceAll(" ", "_"))),
+    rows.map((row) => [5, 2, 3].map((i) => row.children[i].textContent.trim().replaceAll(" ", "_"))),
   );
   const same = told.flips.every(({ mission_index, before, after }) =>
     flips.some((f) => Number(f[0]) === mission_index && f[1] === before && f[2] === after),
   );
   check(flips.length === told.flips.length && same, "its missions are those with another outcome, with both outcomes");
-  await page.click('.filters .chip:has-text("won")');
+  const shown = (text) => page.waitForFunction((t) => document.querySelector(".shown").textContent.startsWith(t), text);
+  await page.click('.filters .chip:has-text("lost")');
+  await shown("0 of 30");
+  check((await page.$$("tr[data-pair]")).length === 0, "filters choose");
+  await page.click('.filters .chip:has-text("lost")');
   await page.fill("input[type=search]", "no such map");
-  await page.waitForFunction(() => document.querySelector(".shown").textContent.startsWith("0 of 30"));
-  check((await page.$$("tr[data-pair]")).length === 0, "filters and the search choose");
-  await page.fill("input[type=search]", "");
+  await shown("0 of 30");
+  await page.fill("input[type=search]", "collided");
+  await shown(`${flips.length} of 30`);
+  check(true, "and so does the search");
   await page.click('tr[data-pair="0"] button');
   await page.waitForSelector(".stage > canvas");
   await page.waitForTimeout(400);

@@ -96,7 +96,8 @@ export function logScaleOf(low: number, high: number, from: number, to: number):
   });
 }
 
-const axisText = (v: number, percent?: boolean): string => (percent ? `${Math.round(100 * v)} %` : shortNumber(v));
+const axisText = (v: number, percent?: boolean): string =>
+  percent ? `${Math.round(100 * v)} %`.replace("-", "−") : shortNumber(v);
 
 /** Vertical grid lines from `top` to `bottom` with numbers below. */
 export function XAxis(props: {

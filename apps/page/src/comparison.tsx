@@ -116,8 +116,9 @@ function ChangeChart({ rows, looks }: { rows: MetricChange[]; looks: Map<string,
   const marks: Mark[] = rows.map((row) => ({
     ...lookOf(looks.get(row.planner) ?? 0, row.planner),
     value: value(row.change),
-    lower: value(row.change_lower),
-    upper: value(row.change_upper),
+    // Of too few maps one end may be unknown.
+    lower: value(row.change_lower ?? (row.change_upper === null ? null : row.change)),
+    upper: value(row.change_upper ?? (row.change_lower === null ? null : row.change)),
     band: row.limit === null ? undefined : [-row.limit, row.limit],
     text: row.change === null ? "–" : share ? `${signed(100 * row.change)} %` : signed(row.change),
     note: row.change === null ? "no mission that both finished" : undefined,
@@ -126,12 +127,19 @@ function ChangeChart({ rows, looks }: { rows: MetricChange[]; looks: Map<string,
   const ends = marks.flatMap((m) => [m.value, m.lower, m.upper, ...(m.band ?? [])]).filter(Number.isFinite);
   const reach = 1.05 * Math.max(...ends.map(Math.abs), 1e-9);
   const title = metricWords(first.metric);
-  const better = first.better === "neither" ? "" : `${first.better} is better; `;
+  const isCut = rows.some((row) => (row.change_lower === null) !== (row.change_upper === null));
+  const notes = [
+    "New less base",
+    first.better === "neither" ? "" : `${first.better} is better`,
+    "grey: within the tolerance",
+    isCut ? "an interval that ends at its sign: so few maps leave that end unknown" : "",
+    first.is_measured ? "measured on the host" : "",
+  ];
   return (
     <Figure
       name={`change ${first.metric}`}
-      title={title[0].toUpperCase() + title.slice(1)}
-      note={`New less base; ${better}grey: within the tolerance.${first.is_measured ? " Measured on the host." : ""}`}
+      title={title}
+      note={`${notes.filter(Boolean).join("; ")}.`}
       numbers={{
         head: ["planner", "pairs", "base", "new", "change", "lower", "upper", "p", "verdict"],
         rows: rows.map((row) => [
@@ -200,7 +208,7 @@ function Summary({ page, pairs, show }: { page: PageData; pairs: Pair[]; show: (
       <section class="charts" aria-label="Charts">
         <Fates page={page} pairs={pairs} />
       </section>
-      <p>
+      <p class="more">
         <button type="button" onClick={show}>
           {changed === 0
             ? "All missions"
@@ -327,7 +335,7 @@ function Outcome({ page, word }: { page: PageData; word: string }): JSX.Element 
 function Missions(props: Shown & { pairs: Pair[]; chosen: Pair[]; open: (pair: Pair) => void }): JSX.Element {
   const { page, chosen, open } = props;
   const { planners } = page.pairs!;
-  const head = ["planner", "map", "mission", "base", "new", "became"];
+  const head = ["planner", "base", "new", "map", "mission", "became"];
   return (
     <>
       <PairFilters {...props} count={chosen.length} />
@@ -335,25 +343,15 @@ function Missions(props: Shown & { pairs: Pair[]; chosen: Pair[]; open: (pair: P
       <ScrollTable
         label="Missions"
         class="pairs"
-        head={[...head, "flights"]}
-        right={[false, false, true]}
+        head={["flights", ...head]}
+        right={[false, false, false, false, false, true]}
         table={() => ({
           head,
-          rows: chosen.map((p) => [planners[p.planner], p.map, p.mission, p.before, p.after, p.fate]),
+          rows: chosen.map((p) => [planners[p.planner], p.before, p.after, p.map, p.mission, p.fate]),
         })}
       >
         {chosen.slice(0, kMostRows).map((p) => (
           <tr data-pair={p.index}>
-            <td>{planners[p.planner]}</td>
-            <td>{p.map}</td>
-            <td class="number">{p.mission}</td>
-            <td>
-              <Outcome page={page} word={p.before} />
-            </td>
-            <td>
-              <Outcome page={page} word={p.after} />
-            </td>
-            <td>{p.fate}</td>
             <td>
               {hasFlight(p) ? (
                 <button type="button" onClick={() => open(p)}>
@@ -363,6 +361,16 @@ function Missions(props: Shown & { pairs: Pair[]; chosen: Pair[]; open: (pair: P
                 "–"
               )}
             </td>
+            <td>{planners[p.planner]}</td>
+            <td>
+              <Outcome page={page} word={p.before} />
+            </td>
+            <td>
+              <Outcome page={page} word={p.after} />
+            </td>
+            <td>{p.map}</td>
+            <td class="number">{p.mission}</td>
+            <td>{p.fate}</td>
           </tr>
         ))}
       </ScrollTable>
@@ -466,6 +474,7 @@ export function ComparisonPage({ page, view, change }: Shown): JSX.Element {
           scene={scene}
           theme={usedTheme(view)}
           close={() => change({ tab: "trials" })}
+          list="Missions"
           neighbours={neighboursOf(chosen, pair, open)}
         />
       ) : null}
