@@ -84,8 +84,8 @@ struct PageParts {
 };
 
 /// The fields that are read of each trial: those of the query and, for a page, the sweep's axes.
-std::vector<std::string> fields_of(const ReportQuery& query, const Database& database,
-                                   const SweepInfo& sweep, PageParts* page) {
+std::vector<std::string> fields_of(const ReportQuery& query, const SweepInfo& sweep,
+                                   PageParts* page) {
   std::vector<std::string> fields = query.fields();
   add_limit_field(sweep.spec_json, fields);
   if (page == nullptr) return fields;
@@ -96,13 +96,17 @@ std::vector<std::string> fields_of(const ReportQuery& query, const Database& dat
     if (!contains(axes, axis)) axes.push_back(axis);
     if (!contains(fields, axis)) fields.push_back(axis);
   }
+  return fields;
+}
+
+/// What the page has of a sweep beside its trials. After these: a run may go on and add more.
+void read_page_parts(const Database& database, const SweepInfo& sweep, PageParts& page) {
   for (TrialListing& listing : database.list_trials(sweep.name, sweep.revision)) {
     std::string key = listing.key;
-    page->listing_of.emplace(std::move(key), std::move(listing));
+    page.listing_of.emplace(std::move(key), std::move(listing));
   }
-  std::vector<RunRow>& runs = page->runs_of[sweep.name];
+  std::vector<RunRow>& runs = page.runs_of[sweep.name];
   for (RunRow& run : runs_of(database, sweep)) runs.push_back(std::move(run));
-  return fields;
 }
 
 /// What a report is made of.
@@ -191,8 +195,9 @@ ReportData read_report(const ReportOptions& options, const std::vector<std::stri
       own.push_back(computed_by(metric, data.databases[i]));
     }
     for (const SweepInfo& sweep : sweeps[i]) {
-      const std::vector<std::string> fields = fields_of(query, data.databases[i], sweep, page);
+      const std::vector<std::string> fields = fields_of(query, sweep, page);
       SweepResult part = data.databases[i].read_sweep(sweep.name, sweep.revision, fields);
+      if (has_page) read_page_parts(data.databases[i], sweep, data.page);
       for (const ComputedMetrics& computed : own) add_metrics(computed, part);
       if (query.metrics.empty() && !own.empty()) query.metrics = metrics_with(own, part);
       parts_of[{sweep.name, sweep.spec_json}].push_back(std::move(part));

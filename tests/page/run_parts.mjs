@@ -31,6 +31,8 @@ export async function checkRun({ opened, finish, check, program, folder, at }) {
   check((await stateOf(page)) === "running", "the page of a run is there before its first trial");
   await page.waitForSelector('figure[data-figure="success"] svg', { timeout: 60000 });
   check(loads > 0 && page.url().endsWith("theme=dark"), "it loads itself again, with what was flown since");
+  const ids = await page.$$eval(".examples button", (all) => all.map((e) => e.textContent));
+  check(!ids.includes("trial 0"), "every trial has its number, also those that ended while it was written");
   const before = await doneOf(page);
   // Where someone reads is kept.
   await page.click('figure[data-figure="success"] summary');
