@@ -10,14 +10,22 @@ const [kSilence_s, kSilentTimes] = [60, 4];
 /** What a reload would lose: where the page stands, and what is open in it. */
 interface Place {
   scroll: number;
-  open: boolean[];
+  /** By name: what was flown since may have added others. */
+  open: Record<string, boolean>;
 }
 const placeName = (): string => `avoidbench ${location.pathname}`;
-const foldable = (): HTMLDetailsElement[] => [...document.querySelectorAll("details")];
+const foldable = (): [string, HTMLDetailsElement][] =>
+  [...document.querySelectorAll("details")].map((d) => [
+    d.dataset.table ?? d.closest("figure")?.dataset.figure ?? d.className,
+    d,
+  ]);
 
 function loadAgain(): void {
   try {
-    const place: Place = { scroll: window.scrollY, open: foldable().map((d) => d.open) };
+    const place: Place = {
+      scroll: window.scrollY,
+      open: Object.fromEntries(foldable().map(([name, d]) => [name, d.open])),
+    };
     sessionStorage.setItem(placeName(), JSON.stringify(place));
   } catch {
     // Without a store it begins at its top.
@@ -32,11 +40,7 @@ function restorePlace(): void {
     sessionStorage.removeItem(placeName());
     if (stored === null) return;
     const place = JSON.parse(stored) as Place;
-    const all = foldable();
-    if (all.length === place.open.length)
-      all.forEach((d, i) => {
-        d.open = place.open[i];
-      });
+    for (const [name, d] of foldable()) d.open = place.open[name] ?? d.open;
     // Once what has opened has its height.
     requestAnimationFrame(() => requestAnimationFrame(() => window.scrollTo(0, place.scroll)));
   } catch {
