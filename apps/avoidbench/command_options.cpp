@@ -54,6 +54,15 @@ CLI::Option* add_output_file(CLI::App& command, std::string& output) {
   return command.add_option("--output", output, "File to write, - for standard output");
 }
 
+void add_page_size(CLI::App& command, CLI::Option* page, std::optional<double>& page_mb) {
+  add_number(
+      command, "--page-size", page_mb, CLI::Range(1.0, 1000.0),
+      "Maximum size of the page, MB; flights that don't fit are left out, failures last, tables "
+      "and numbers of trials never (default: 3 for each 1,000 trials, at least 3, at most 15)")
+      ->needs(page)
+      ->type_name("MB");
+}
+
 void add_where(CLI::App& command, std::vector<std::string>& where) {
   add_repeatable(command, "--where", where, "CONDITION",
                  "Only trials that match this: FIELD OP VALUE, such as 'map.poisson_radius_m < 3' "

@@ -83,6 +83,9 @@ CLI::Option* add_repeatable(CLI::App& command, const std::string& name, std::vec
 /// Adds --output: a file, or "-" for standard output.
 CLI::Option* add_output_file(CLI::App& command, std::string& output);
 
+/// Adds --page-size, MB: the maximum of the page that the option `page` asks for.
+void add_page_size(CLI::App& command, CLI::Option* page, std::optional<double>& page_mb);
+
 /// Adds --where, which chooses trials by conditions.
 void add_where(CLI::App& command, std::vector<std::string>& where);
 

@@ -30,7 +30,8 @@ void add_metrics_command(CLI::App& app);
 void add_config_command(CLI::App& app);
 void add_help_command(CLI::App& app);
 void add_completion_command(CLI::App& app);
-void add_worker_command(CLI::App& app);  ///< hidden
+void add_worker_command(CLI::App& app);    ///< hidden
+void add_run_page_command(CLI::App& app);  ///< hidden
 
 /// The words that start one of `jobs` workers. Without a limit of the user's, they stay together
 /// within nine tenths of the memory that this process may use.

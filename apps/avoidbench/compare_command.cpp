@@ -1,10 +1,14 @@
+#include <deque>
 #include <iostream>
+#include <optional>
 
 #include "commands.hpp"
 #include "compare/compare_formats.hpp"
 #include "compare/reality.hpp"
 #include "database_choice.hpp"
 #include "output.hpp"
+#include "page/comparison_page.hpp"
+#include "page_output.hpp"
 
 namespace avoidbench {
 namespace {
@@ -18,7 +22,8 @@ struct CompareCommand {
   std::string output = "-";
   std::string min_effect;
   std::string tolerances_file;
-  std::string bless_file;
+  std::string bless_file, page;
+  std::optional<double> page_mb;
   bool is_exact = false, is_sample = false, is_real = false;
   std::vector<std::string> more;  // simulations beside `now`
   bool must_be_complete = false;
@@ -48,7 +53,28 @@ bool compare_bits(const CompareCommand& command, const TablePair& tables) {
   return !comparison.differences.empty();
 }
 
-bool compare_figures(const CompareCommand& command, const TablePair& tables) {
+/// The databases that the two sides are of; a table has none, and no flights.
+void write_comparison_page(const CompareCommand& command, const Comparison& comparison,
+                           const TablePair& tables, const std::filesystem::path& base,
+                           const std::filesystem::path& now) {
+  std::deque<Database> databases;  // they stay where they are
+  const auto side_of = [&](const TrialTable& table, const std::filesystem::path& file) {
+    const bool is_database = !table.trials.empty() && !table.trials.front().key.empty();
+    if (!is_database) return ComparedSide{.table = &table};
+    const Database& database = databases.emplace_back(Database::open_for_reading(file));
+    return ComparedSide{
+        .table = &table,
+        .database = {.database = &database,
+                     .files = {.folders = {".", file.parent_path()}, .database = file}}};
+  };
+  const std::size_t trial_count = tables.base.trials.size() + tables.now.trials.size();
+  write_page(comparison_page(comparison, side_of(tables.base, base), side_of(tables.now, now),
+                             page_origin(), page_room(command.page_mb, trial_count)),
+             command.page);
+}
+
+bool compare_figures(const CompareCommand& command, const TablePair& tables,
+                     const std::filesystem::path& base, const std::filesystem::path& now) {
   CompareSettings settings = command.settings;
   if (!command.tolerances_file.empty()) {
     std::vector<std::string> names;
@@ -58,6 +84,7 @@ bool compare_figures(const CompareCommand& command, const TablePair& tables) {
   if (!command.min_effect.empty()) settings.tolerance = min_effect_from(command.min_effect);
   const Comparison comparison = compare_tables(tables.base, tables.now, settings);
   write_text(format_comparison(comparison, command.format), command.output);
+  if (!command.page.empty()) write_comparison_page(command, comparison, tables, base, now);
   const bool is_for_people =
       command.format == CompareFormat::table || command.format == CompareFormat::markdown;
   if (!is_for_people) {
@@ -86,6 +113,7 @@ void compare_with_reality(const CompareCommand& command) {
 }
 
 void compare(const CompareCommand& command) {
+  if (!command.page.empty()) check_page(command.page);
   if (command.is_real) return compare_with_reality(command);
   if (!command.more.empty()) {
     throw InputError(command.more.front() + ": more than one set of new results needs --real");
@@ -100,8 +128,8 @@ void compare(const CompareCommand& command) {
   const std::filesystem::path now = command.now.empty() ? base : table_file(command.now);
   TablePair tables = read_tables(base, now, command.sweep);
   if (!command.planner.empty()) tables = of_planners(std::move(tables), command.planner);
-  const bool failed =
-      command.is_exact ? compare_bits(command, tables) : compare_figures(command, tables);
+  const bool failed = command.is_exact ? compare_bits(command, tables)
+                                       : compare_figures(command, tables, base, now);
   if (failed) throw CLI::RuntimeError(kExitRegression);
 }
 
@@ -113,9 +141,10 @@ void add_options(CLI::App& command, CompareCommand& options) {
   command.add_option("NEW", options.now,
                      "The same, for the results to judge (default with --planner: BASE)");
   command.add_option("MORE", options.more, "With --real: further simulations");
-  command.add_flag("--real", options.is_real,
-                   "BASE has real flights (avoidbench import), NEW and MORE simulate them: shows "
-                   "how close each one comes, without a judgement; exit code 0");
+  CLI::Option* real = command.add_flag(
+      "--real", options.is_real,
+      "BASE has real flights (avoidbench import), NEW and MORE simulate them: shows how close each "
+      "one comes, without a judgement; exit code 0");
   CLI::Option* planner = command.add_option(
       "--planner", options.planner,
       "Only this planner, by its label; or BASE:NEW, two planners on the same missions");
@@ -147,10 +176,19 @@ void add_options(CLI::App& command, CompareCommand& options) {
                 "NEW is a part of BASE, such as one --shard of its sweep: missing trials are not a "
                 "difference")
       ->needs(exact);
-  command
-      .add_option("--bless", options.bless_file,
-                  "Write BASE's trials to this table, to be committed, and compare nothing")
-      ->excludes(planner);
+  CLI::Option* bless =
+      command
+          .add_option("--bless", options.bless_file,
+                      "Write BASE's trials to this table, to be committed, and compare nothing")
+          ->excludes(planner);
+  CLI::Option* page =
+      add_typed(command, "--page", options.page, "FILE",
+                "Also write a page: one HTML file with the changes, all missions that were lost or "
+                "won, and both sides' flights in 3-D (docs/page.md)")
+          ->excludes(exact)
+          ->excludes(bless)
+          ->excludes(real);
+  add_page_size(command, page, options.page_mb);
   add_choice(command, "--format", options.format,
              "table, markdown, json, junit or github (github-action-benchmark's "
              "customSmallerIsBetter)");
@@ -172,6 +210,7 @@ void add_compare_command(CLI::App& app) {
       "regression, 1 a regression (--exact: a difference), 2 bad input.\n\n"
       "Examples:\n"
       "  avoidbench compare main.db branch.db\n"
+      "  avoidbench compare main.db branch.db --page compare.html\n"
       "  avoidbench compare main.db branch.db --format junit --output compare.xml\n"
       "  avoidbench compare main.db --bless baseline.csv         # a table to commit\n"
       "  avoidbench compare baseline.csv branch.db --exact\n"

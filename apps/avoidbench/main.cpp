@@ -141,6 +141,7 @@ int run_program(int argc, const char* const* argv) {
   add_commands(app);
   show_defaults(app);
   add_worker_command(app);
+  add_run_page_command(app);
   // After the commands, which would take it over.
   app.footer(
       "First steps:\n"

@@ -8,10 +8,9 @@
 #include "custom_metrics/metric_file.hpp"
 #include "database_choice.hpp"
 #include "output.hpp"
-#include "page/flight_choice.hpp"
 #include "page/page.hpp"
+#include "page/page_text.hpp"
 #include "page_output.hpp"
-#include "page_program.hpp"
 #include "process/program.hpp"
 #include "report/selection.hpp"
 #include "report/summary.hpp"
@@ -85,8 +84,8 @@ struct PageParts {
 };
 
 /// The fields that are read of each trial: those of the query and, for a page, the sweep's axes.
-std::vector<std::string> fields_of(const ReportQuery& query, const Database& database,
-                                   const SweepInfo& sweep, PageParts* page) {
+std::vector<std::string> fields_of(const ReportQuery& query, const SweepInfo& sweep,
+                                   PageParts* page) {
   std::vector<std::string> fields = query.fields();
   add_limit_field(sweep.spec_json, fields);
   if (page == nullptr) return fields;
@@ -97,53 +96,55 @@ std::vector<std::string> fields_of(const ReportQuery& query, const Database& dat
     if (!contains(axes, axis)) axes.push_back(axis);
     if (!contains(fields, axis)) fields.push_back(axis);
   }
-  for (TrialListing& listing : database.list_trials(sweep.name, sweep.revision)) {
-    std::string key = listing.key;
-    page->listing_of.emplace(std::move(key), std::move(listing));
-  }
-  std::vector<RunRow>& runs = page->runs_of[sweep.name];
-  for (RunRow& run : runs_of(database, sweep)) runs.push_back(std::move(run));
   return fields;
 }
 
-/// Megabytes as an option says them, or what is usual for so many trials.
-std::size_t page_bytes(std::optional<double> limit_mb, std::size_t trial_count) {
-  const PageProgram program = page_program();
-  const std::size_t own = program.head.size() + program.body.size() + program.tail.size();
-  const std::size_t wanted =
-      limit_mb ? static_cast<std::size_t>(1e6 * *limit_mb) : usual_page_bytes(trial_count);
-  return wanted > own ? wanted - own : 0;
+/// What the page has of a sweep beside its trials. After these: a run may go on and add more.
+void read_page_parts(const Database& database, const SweepInfo& sweep, PageParts& page) {
+  for (TrialListing& listing : database.list_trials(sweep.name, sweep.revision)) {
+    std::string key = listing.key;
+    page.listing_of.emplace(std::move(key), std::move(listing));
+  }
+  std::vector<RunRow>& runs = page.runs_of[sweep.name];
+  for (RunRow& run : runs_of(database, sweep)) runs.push_back(std::move(run));
 }
 
-/// The page with all tables, whatever of them is printed.
-void write_sweeps_page(const ReportOptions& options, std::vector<SweepResult> results,
-                       std::span<const SweepSummary> summaries, std::span<const Database> databases,
-                       PageParts& parts) {
+/// What a report is made of.
+struct ReportData {
+  std::vector<Database> databases;
+  std::vector<SweepSummary> summaries;  ///< of the sweeps
+  std::vector<SweepResult> results;     ///< the same sweeps' trials, for a page; else empty
+  PageParts page;
+};
+
+/// The page with all tables, whatever of them is printed, and with what it says of a `run`.
+nlohmann::ordered_json page_of(ReportData data, const PageOrigin& origin,
+                               std::optional<double> page_mb, std::size_t run_bytes = 0) {
   std::vector<PageSweep> sweeps;
   std::size_t trial_count = 0;
-  for (std::size_t i = 0; i < results.size(); ++i) {
-    trial_count += results[i].trials.size();
-    const std::string name = results[i].name;  // the result moves away
+  for (std::size_t i = 0; i < data.results.size(); ++i) {
+    trial_count += data.results[i].trials.size();
+    const std::string name = data.results[i].name;  // the result moves away
     std::map<std::string, std::string> causes;
-    for (const TrialSummary& trial : results[i].trials) {
+    for (const TrialSummary& trial : data.results[i].trials) {
       if (!trial.cause.empty()) causes.emplace(trial.key, trial.cause);
     }
-    sweeps.push_back({.summary = summaries[i],
-                      .section = sweep_section(summaries[i]),
-                      .result = std::move(results[i]),
-                      .axes = parts.axes_of[name],
-                      .listing_of = parts.listing_of,
-                      .runs = parts.runs_of[name],
+    sweeps.push_back({.summary = data.summaries[i],
+                      .section = sweep_section(data.summaries[i]),
+                      .result = std::move(data.results[i]),
+                      .axes = data.page.axes_of[name],
+                      .listing_of = data.page.listing_of,
+                      .runs = data.page.runs_of[name],
                       .cause_of = std::move(causes)});
   }
   std::vector<PageDatabase> places;
-  for (const Database& database : databases) {
+  for (const Database& database : data.databases) {
     places.push_back(
         {.database = &database,
          .files = {.folders = {".", database.path().parent_path()}, .database = database.path()}});
   }
-  write_page(sweeps_page(sweeps, places, page_origin(), page_bytes(options.page_mb, trial_count)),
-             options.page);
+  const std::size_t room = page_room(page_mb, trial_count);
+  return sweeps_page(sweeps, places, origin, room > run_bytes ? room - run_bytes : 0);
 }
 
 /// Draws the figures of papers (scripts/plot/paper_figures.py) from these databases into
@@ -175,61 +176,68 @@ void check_stored(std::span<const Database> databases) {
   }
 }
 
-void report(const ReportOptions& options) {
-  ReportQuery query = query_of(options);
-  check_output(options.output.output, text(options.output.format));
-  if (!options.page.empty()) check_page(options.page);
-  if (!options.plots.empty()) made_folder(options.plots);
-  std::vector<std::string> files = options.files;
-  if (files.empty()) files.push_back(newest_database("report").string());
+/// Reads the chosen sweeps of the databases: parts of a sweep become one. `has_page`: with what a
+/// page needs beside the tables.
+ReportData read_report(const ReportOptions& options, const std::vector<std::string>& files,
+                       ReportQuery query, bool has_page) {
+  ReportData data;
+  data.databases = opened(files, "report");
+  if (options.must_check) check_stored(data.databases);
+  PageParts* const page = has_page ? &data.page : nullptr;
   std::map<std::pair<std::string, std::string>, std::vector<SweepResult>> parts_of;  // name, spec
-  const std::vector<Database> databases = opened(files, "report");
-  if (options.must_check) check_stored(databases);
-  PageParts page_parts;
-  PageParts* const page = options.page.empty() ? nullptr : &page_parts;
   std::vector<std::string> unflown;
-  const auto sweeps = chosen_sweeps(databases, options.sweep, &unflown);
+  const auto sweeps = chosen_sweeps(data.databases, options.sweep, &unflown);
   for (const std::string& line : unflown) std::cerr << line << '\n';
-  for (std::size_t i = 0; i < databases.size(); ++i) {
+  for (std::size_t i = 0; i < data.databases.size(); ++i) {
     if (sweeps[i].empty()) continue;
     std::vector<ComputedMetrics> own;
     for (const std::string& metric : options.metric_files) {
-      own.push_back(computed_by(metric, databases[i]));
+      own.push_back(computed_by(metric, data.databases[i]));
     }
     for (const SweepInfo& sweep : sweeps[i]) {
-      const std::vector<std::string> fields = fields_of(query, databases[i], sweep, page);
-      SweepResult part = databases[i].read_sweep(sweep.name, sweep.revision, fields);
+      const std::vector<std::string> fields = fields_of(query, sweep, page);
+      SweepResult part = data.databases[i].read_sweep(sweep.name, sweep.revision, fields);
+      if (has_page) read_page_parts(data.databases[i], sweep, data.page);
       for (const ComputedMetrics& computed : own) add_metrics(computed, part);
       if (query.metrics.empty() && !own.empty()) query.metrics = metrics_with(own, part);
       parts_of[{sweep.name, sweep.spec_json}].push_back(std::move(part));
     }
   }
-  std::vector<SweepSummary> summaries;
   std::vector<const SweepResult*> all;
   for (const auto& [sweep, parts] : parts_of) {
     for (const SweepResult& part : parts) all.push_back(&part);
   }
   check_values(all, query.where);
-  std::vector<SweepResult> results;  // for a page
   for (auto& [sweep, parts] : parts_of) {
     SweepResult whole = combined(std::move(parts));
-    if (page != nullptr) results.push_back(selected(whole, query.where));
-    summaries.push_back(summarize(std::move(whole), query));
+    if (has_page) data.results.push_back(selected(whole, query.where));
+    data.summaries.push_back(summarize(std::move(whole), query));
   }
+  return data;
+}
+
+void report(const ReportOptions& options) {
+  const ReportQuery query = query_of(options);
+  check_output(options.output.output, text(options.output.format));
+  if (!options.page.empty()) check_page(options.page);
+  if (!options.plots.empty()) made_folder(options.plots);
+  std::vector<std::string> files = options.files;
+  if (files.empty()) files.push_back(newest_database("report").string());
+  ReportData data = read_report(options, files, query, !options.page.empty());
   std::vector<Section> sections;
   const Detail detail = options.is_all ? Detail::all : Detail::brief;
-  if (summaries.size() > 1 && options.tables.empty()) {
-    sections.push_back(side_by_side(summaries, detail));
+  if (data.summaries.size() > 1 && options.tables.empty()) {
+    sections.push_back(side_by_side(data.summaries, detail));
   }
-  for (const SweepSummary& summary : summaries) {
+  for (const SweepSummary& summary : data.summaries) {
     sections.push_back(sweep_section(summary, options.tables, detail));
   }
   if (sections.back().is_brief) {
     sections.back().footer = "More tables, all warnings and what every column means: report --all";
   }
   write_sections(sections, options.output);
-  if (page != nullptr) {
-    write_sweeps_page(options, std::move(results), summaries, databases, page_parts);
+  if (!options.page.empty()) {
+    write_page(page_of(std::move(data), page_origin(), options.page_mb), options.page);
   }
   if (!options.plots.empty()) draw_plots(files, options.sweep, options.plots);
 }
@@ -244,6 +252,17 @@ void write_report_files(const std::string& database, const std::string& report_f
   options.is_all = true;
   options.page = page;
   report(options);
+}
+
+nlohmann::ordered_json page_of_run(const std::string& database, const std::string& sweep,
+                                   const PageOrigin& origin, nlohmann::ordered_json run) {
+  const std::size_t run_bytes = size_in_page({{"run", run}});
+  ReportOptions options;
+  options.sweep = sweep;
+  nlohmann::ordered_json page =
+      page_of(read_report(options, {database}, {}, true), origin, {}, run_bytes);
+  page["run"] = std::move(run);
+  return page;
 }
 
 void add_report_command(CLI::App& app) {
@@ -263,12 +282,7 @@ void add_report_command(CLI::App& app) {
       add_typed(command, "--page", options.page, "FILE",
                 "Also write a page: one HTML file, to be opened in a browser without a "
                 "network, with charts, all trials and their flights in 3-D (docs/page.md)");
-  add_number(
-      command, "--page-size", options.page_mb, CLI::Range(1.0, 1000.0),
-      "Maximum size of the page, MB; flights that don't fit are left out, failures last, tables "
-      "and numbers of trials never (default: 3 for each 1,000 trials, at least 3, at most 15)")
-      ->needs(page)
-      ->type_name("MB");
+  add_page_size(command, page, options.page_mb);
   add_list(command, "--metrics", options.metrics,
            "Metrics to show, separated by commas; `avoidbench metrics` lists them (default: path "
            "and energy optimality, average goal velocity, mission progress, processing time as "

@@ -78,13 +78,18 @@ void add_run_command(CLI::App& app) {
       "--dry-run", options.dry_run,
       "Print the trials and fly none; with an estimate of time and size, if some were flown");
   add_flight_options(command, options);
+  add_typed(command, "--page", options.page, "FILE",
+            "Page of the sweep, as `report --page` writes it: from the beginning on, and again "
+            "every few seconds with what was flown since; open in a browser it follows the run "
+            "(docs/page.md)");
   command.footer(
       "The same sweep gives the same rows for any number of workers. Trials that the database has "
       "are skipped, so the\n"
       "same command resumes where it was stopped.\n\n"
       "Examples:\n"
       "  avoidbench run quick\n"
-      "  avoidbench run forest_small --set trials=20 --db forest.db --jobs 2\n\n"
+      "  avoidbench run forest_small --set trials=20 --db forest.db --jobs 2\n"
+      "  avoidbench run quick --page quick.html            # watch it in a browser\n\n"
       "Exit codes: 0 done, 1 done except trials whose worker was killed from outside, 2 usage, "
       "input or no mission that can be flown, 75 stopped by SIGTERM, SIGHUP, SIGUSR1 or SIGXCPU, "
       "130 interrupted, "

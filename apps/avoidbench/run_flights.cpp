@@ -13,6 +13,7 @@
 #include "replay/provenance.hpp"
 #include "run_end.hpp"
 #include "run_flights.hpp"
+#include "run_page.hpp"
 #include "run_progress.hpp"
 #include "stop_signals.hpp"
 #include "store/database.hpp"
@@ -191,6 +192,7 @@ std::int64_t fly_sweep(const RunCommand& command, const SweepSpec& sweep, const 
   const int jobs = command.jobs > 0 ? command.jobs : allowed_cpus();
   const Rerun rerun = rerun_from(command.rerun);
   const std::filesystem::path file = database_file(command, sweep, shard);
+  if (!command.page.empty()) check_run_page(command.page);
   if (command.database_file.empty()) made_folder("results");
   const StopSignals& signals = watch_stop_signals();
   Database database = open_checked(command, sweep, shard, signals, file);
@@ -199,6 +201,8 @@ std::int64_t fly_sweep(const RunCommand& command, const SweepSpec& sweep, const 
                               : command.progress == "json" ? ProgressStyle::json
                                                            : ProgressStyle::line;
   RunProgress shown(style, command.heartbeat);
+  std::optional<RunPage> page;
+  if (!command.page.empty()) page.emplace(command.page, file, sweep.name);
   RunOptions options;
   options.worker_command = worker_words(command.plan_timeout_s, command.memory_limit_mib, jobs);
   options.sandbox = sandbox_of(command);
@@ -215,15 +219,22 @@ std::int64_t fly_sweep(const RunCommand& command, const SweepSpec& sweep, const 
   options.is_wanted = command.is_wanted;
   options.keep_planners = !command.no_keep;
   options.keep_maps = command.is_bundle;
-  options.on_progress = [&shown](const Progress& progress) { shown.show(progress); };
+  options.on_progress = [&](const Progress& progress) {
+    shown.show(progress);
+    if (page) page->show(progress);
+  };
   options.on_revision = [&](const SweepRevision& revision) {
+    if (page) page->set_revision(revision.revision);
     print_revision(database, sweep.name, revision);
   };
   RunSummary summary;
   try {
     summary = run_sweep(sweep, provenance(command, sweep, shard), database, options);
   } catch (const InputError&) {
-    if (!database.has_given_up()) throw;
+    if (!database.has_given_up()) {
+      if (page) page->finish(RunState::interrupted);
+      throw;
+    }
     summary.is_stopped = true;  // it was told to while it waited for a lock
   }
   print_summary(summary, signals.ignored);
@@ -233,6 +244,9 @@ std::int64_t fly_sweep(const RunCommand& command, const SweepSpec& sweep, const 
       print_failures(database, sweep.name, summary);
     }
     warn_of_planners(database, sweep.name, summary.revision);
+  }
+  if (page && !signals.stop_now) {
+    page->finish(summary.is_stopped ? RunState::interrupted : RunState::complete);
   }
   if (summary.is_stopped) end_stopped_run(signals);
   database.checkpoint();

@@ -27,6 +27,7 @@ struct RunCommand {
   bool no_keep = false, is_bundle = false;
   std::optional<std::string> shard;
   std::string rerun, until, progress = "line", heartbeat;
+  std::string page;  ///< "": none
   /// One sweep of a suite: no hints of what a sweep file could say, or of what to do next.
   bool is_of_suite = false;
   std::function<bool(const std::string& key)> is_wanted = {};  ///< null: all trials are flown

@@ -28,7 +28,18 @@ double left_s(const Progress& progress, double elapsed_s) {
   return elapsed_s / flown * static_cast<double>(due_of(progress) - progress.done);
 }
 
-nlohmann::json json_of(const Progress& progress, double elapsed_s) {
+/// "12/30 trials", and of an open number "12 trials so far, 4 more in this round".
+std::string trials_text(const Progress& progress) {
+  const std::int64_t due = due_of(progress), done = progress.done;
+  if (!progress.is_open) return std::to_string(done) + "/" + std::to_string(due) + " trials";
+  std::string text = std::to_string(done) + " trials so far";
+  if (done < due) text += ", " + std::to_string(due - done) + " more in this round";
+  return text;
+}
+
+}  // namespace
+
+nlohmann::json progress_json(const Progress& progress, double elapsed_s) {
   nlohmann::json planners = nlohmann::json::object();
   for (const auto& [label, planner] : progress.planners) {
     planners[label] = {{"flown", planner.flown}, {"reached_goal", planner.reached_goal}};
@@ -43,17 +54,6 @@ nlohmann::json json_of(const Progress& progress, double elapsed_s) {
           {"left_s", left >= 0.0 ? nlohmann::json(left) : nlohmann::json(nullptr)},
           {"planners", planners}};
 }
-
-/// "12/30 trials", and of an open number "12 trials so far, 4 more in this round".
-std::string trials_text(const Progress& progress) {
-  const std::int64_t due = due_of(progress), done = progress.done;
-  if (!progress.is_open) return std::to_string(done) + "/" + std::to_string(due) + " trials";
-  std::string text = std::to_string(done) + " trials so far";
-  if (done < due) text += ", " + std::to_string(due - done) + " more in this round";
-  return text;
-}
-
-}  // namespace
 
 std::string duration_text(double duration_s) {
   char text[32];
@@ -118,7 +118,7 @@ void RunProgress::print_json(const Progress& progress) {
   if (!is_finished_ && now - shown_ < std::chrono::seconds(1)) return;
   shown_ = now;
   const double elapsed_s = std::chrono::duration<double>(now - began_).count();
-  show_at_once(json_of(progress, elapsed_s).dump() + "\n");
+  show_at_once(progress_json(progress, elapsed_s).dump() + "\n");
 }
 
 void RunProgress::beat(const Progress& progress) {
@@ -128,7 +128,7 @@ void RunProgress::beat(const Progress& progress) {
   const double elapsed_s = std::chrono::duration<double>(now - began_).count();
   // Moved into place, so that nobody reads half of it; a full disk does not end the run.
   const std::filesystem::path fresh = fresh_heartbeat();
-  std::ofstream(fresh) << json_of(progress, elapsed_s).dump() << '\n';
+  std::ofstream(fresh) << progress_json(progress, elapsed_s).dump() << '\n';
   std::error_code error;
   std::filesystem::rename(fresh, heartbeat_, error);
 }

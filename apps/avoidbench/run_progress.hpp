@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "sweep/run_sweep.hpp"
@@ -35,6 +36,9 @@ class RunProgress {
   Clock::time_point began_ = Clock::now(), shown_{}, beaten_{};
   std::int64_t tenth_ = -1;
 };
+
+/// What the heartbeat says. `left_s` is an estimate, null while there is none.
+nlohmann::json progress_json(const Progress& progress, double elapsed_s);
 
 /// "5 s", "12 min 05 s", "3 h 20 min".
 std::string duration_text(double duration_s);

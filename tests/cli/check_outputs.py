@@ -24,7 +24,10 @@ sensor: {width_px: 80, height_px: 60}
 # Of each command that writes files: its words, and by option the file that is a database already. @ is the option with
 # it; "" is a file without an option, and what is written beside another file is not named.
 COMMANDS = {
-    "compare": [("compare db.db db.db @", {"--output": "v.sqlite"}), ("compare db.db @", {"--bless": "v.csv"})],
+    "compare": [
+        ("compare db.db db.db @", {"--output": "v.sqlite", "--page": "v.html"}),
+        ("compare db.db @", {"--bless": "v.csv"}),
+    ],
     "config defaults": [("config defaults @", {"--output": "v.yaml"})],
     "config schema": [("config schema @", {"--output": "v.json"})],
     "config sweeps": [("config sweeps @", {"--output": "v.sqlite"})],
@@ -67,7 +70,8 @@ COMMANDS = {
     ],
     "report": [("report db.db @", {"--output": "v.sqlite", "--page": "v.html"})],
     "run": [
-        ("run sweep.yaml --db other.db --quiet @", {"--heartbeat": "v.json"}),
+        ("run sweep.yaml --db other.db --quiet @", {"--heartbeat": "v.json", "--page": "v.html"}),
+        ("run sweep.yaml --db other.db --quiet --page h.html", {"beside": "h.html.part"}),
         ("run sweep.yaml --db other.db --quiet --heartbeat h", {"beside": "h.new"}),
     ],
     "sensors list": [("sensors list @", {"--output": "v.sqlite"})],

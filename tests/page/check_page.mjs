@@ -5,8 +5,10 @@ import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
-import { makeExplained, makeLarge } from "./made_pages.mjs";
-import { checkPaper, checkSaved, checkScatter, checkSteps } from "./page_parts.mjs";
+import { checkComparison, makeComparisons } from "./comparison_parts.mjs";
+import { makeExplained, makeLarge, makeRun } from "./made_pages.mjs";
+import { checkPaper, checkSaved, checkScatter, checkSteps, checkSweeps } from "./page_parts.mjs";
+import { checkRun, checkSilentRun } from "./run_parts.mjs";
 
 const [program, packages, hostile] = process.argv.slice(2);
 const browserFile = [
@@ -79,8 +81,10 @@ mission: {time_limit_s: 3}
   run("maps", "show", "forest", "--page", "map.html");
   run("limit", "small.yaml", "--over", "max_speed_mps=1..5", "--max-trials", "18", "--quiet", "--db", "limit.db");
   run("report", "limit.db", "--page", "limit.html");
+  run("report", "small.db", "hostile.db", "--page", "both.html");
   makeExplained(at("small.html"), at("explained.html"));
   makeBoard();
+  makeComparisons({ run, program, spawnSync, folder, at });
 }
 
 /** Two results of a tiny suite on one board, one with a label that tries to be markup. */
@@ -483,6 +487,10 @@ async function checkAccess() {
     ["flight.html", ""],
     ["flight.html", "#theme=dark"],
     ["map.html", ""],
+    ["comparison.html", ""],
+    ["comparison.html", "#theme=dark"],
+    ["comparison.html", "#tab=trials"],
+    ["tables.html", "#tab=trials&theme=dark"],
   ]) {
     const page = await opened(name, hash);
     await page.waitForTimeout(300);
@@ -498,10 +506,16 @@ async function checkAccess() {
     check(found.length === 0, `${name}${hash}: axe-core finds no serious problem`, found.join("\n"));
     await page.close();
   }
-  const phone = await opened("small.html", "", { width: 390, height: 844 });
-  const wide = await phone.evaluate(() => document.documentElement.scrollWidth);
-  check(wide <= 390, "on a phone nothing is wider than the screen", `${wide} px`);
-  await finish(phone, "phone");
+  for (const [name, hash] of [
+    ["small.html", ""],
+    ["comparison.html", ""],
+    ["comparison.html", "#tab=trials"],
+  ]) {
+    const phone = await opened(name, hash, { width: 390, height: 844 });
+    const wide = await phone.evaluate(() => document.documentElement.scrollWidth);
+    check(wide <= 390, `${name}${hash}: on a phone nothing is wider than the screen`, `${wide} px`);
+    await finish(phone, `phone ${name}${hash}`);
+  }
 }
 
 try {
@@ -526,9 +540,13 @@ try {
     checkSaved,
     checkScatter,
     checkSteps,
+    checkRun,
+    checkSilentRun,
+    checkSweeps,
+    checkComparison,
   ]) {
     const begun = Date.now();
-    await part({ opened, finish, check, run, figureRows, near, hostileLabel });
+    await part({ opened, finish, check, run, figureRows, near, hostileLabel, program, folder, at, makeRun, coloursOf });
     console.log(`     ${part.name}: ${((Date.now() - begun) / 1000).toFixed(1)} s`);
   }
 } catch (error) {

@@ -76,6 +76,13 @@ export function makeLarge(from, to, total) {
   });
 }
 
+/** As the page of a run in that state. */
+export function makeRun(from, to, run) {
+  remade(from, to, (page) => {
+    page.run = run;
+  });
+}
+
 /** With facts and a paragraph for each flight that touched something. */
 export function makeExplained(from, to) {
   remade(from, to, (page) => {

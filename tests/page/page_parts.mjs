@@ -119,6 +119,24 @@ export async function checkSaved({ opened, finish, check, run, figureRows, near,
   await finish(hostile, "saved trials");
 }
 
+export async function checkSweeps({ opened, finish, check, run }) {
+  const page = await opened("both.html");
+  await page.click('nav button:has-text("All sweeps")');
+  const shown = await page.$$eval('details[data-table="sweeps"] tbody tr', (rows) =>
+    rows.map((row) => [0, 1].map((i) => row.children[i].dataset.value).join()),
+  );
+  const told = JSON.parse(run("report", "small.db", "hostile.db", "--format", "json"));
+  const rows = told.find((section) => section.tables.sweeps).tables.sweeps;
+  check(
+    shown.length === 3 && shown.join(";") === rows.map((row) => `${row.planner},${row.of_sweep}`).join(";"),
+    "planners of several sweeps are in one table, as in the report",
+    shown.join("; "),
+  );
+  await page.selectOption(".sweeps select", { index: 1 });
+  check(page.url().includes("sweep=1"), "and each sweep has its own overview");
+  await finish(page, "several sweeps");
+}
+
 export async function checkScatter({ opened, finish, check, figureRows }) {
   const page = await opened("small.html");
   const figure = 'figure[data-figure="scatter"]';

@@ -96,7 +96,8 @@ export function logScaleOf(low: number, high: number, from: number, to: number):
   });
 }
 
-const axisText = (v: number, percent?: boolean): string => (percent ? `${Math.round(100 * v)} %` : shortNumber(v));
+const axisText = (v: number, percent?: boolean): string =>
+  percent ? `${Math.round(100 * v)} %`.replace("-", "−") : shortNumber(v);
 
 /** Vertical grid lines from `top` to `bottom` with numbers below. */
 export function XAxis(props: {
@@ -107,7 +108,8 @@ export function XAxis(props: {
   bottom: number;
   unit?: string;
   percent?: boolean;
-  one?: boolean;
+  /** A value whose line stands out. */
+  origin?: number;
   /** Stand in place of the numbers 0, 1, … */
   words?: string[];
 }): JSX.Element {
@@ -117,7 +119,7 @@ export function XAxis(props: {
     <g class="axis" aria-hidden="true">
       {(words ? [...words.keys()] : x.ticks(Math.min(Math.max(count, 3), 7))).map((v) => (
         <>
-          <line x1={x(v)} x2={x(v)} y1={top} y2={bottom} class={props.one && v === 1 ? "one" : "grid"} />
+          <line x1={x(v)} x2={x(v)} y1={top} y2={bottom} class={v === props.origin ? "one" : "grid"} />
           <text x={x(v)} y={bottom + 14} text-anchor="middle">
             {words ? shortened(words[v], (props.right - props.left) / words.length) : axisText(v, props.percent)}
           </text>

@@ -15,6 +15,8 @@ export interface Mark {
   tip: string;
   text?: string;
   note?: string;
+  /** Within it a value makes no difference. */
+  band?: [number, number];
 }
 
 interface Values {
@@ -23,6 +25,8 @@ interface Values {
   percent?: boolean;
   unit?: string;
   log?: boolean;
+  /** A value whose line stands out; of logarithms 1. */
+  origin?: number;
 }
 
 const kRow = 34;
@@ -65,7 +69,7 @@ function RowChart<Row extends { label: string; tip?: string }>(props: {
                 bottom={bottom}
                 percent={values.percent}
                 unit={values.unit}
-                one={values.log}
+                origin={values.log ? 1 : values.origin}
               />
             ) : null}
             {rows.map((row, i) => {
@@ -97,6 +101,9 @@ export function IntervalChart(props: { marks: Mark[]; values: Values; label: str
       right={76}
       draw={(m, y, x, left, width) => (
         <>
+          {m.band ? (
+            <rect x={x(m.band[0])} width={x(m.band[1]) - x(m.band[0])} y={y - 12} height={24} class="indifferent" />
+          ) : null}
           {Number.isNaN(m.lower + m.upper) ? null : (
             <line
               x1={x(m.lower)}

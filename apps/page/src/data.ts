@@ -100,7 +100,10 @@ export interface Touch {
   obstacle: number;
 }
 export interface FlightHead {
-  id: number;
+  id?: number;
+  /** In a comparison: of a failure, and of the metrics that are compared. */
+  cause?: string;
+  metrics?: [string, number | null][];
   key: string;
   planner: string;
   outcome: string;
@@ -115,6 +118,9 @@ export interface FlightData {
   status: [number, number][];
   sweep?: number;
   trial?: number;
+  /** In a comparison. */
+  pair?: number;
+  side?: "base" | "new";
   /** What explain knows of a failure, by the names that it gives; no page has it so far. */
   facts?: Record<string, number | null>;
   explanation?: string;
@@ -219,13 +225,70 @@ export interface BoardData {
   tables: ReportTable[];
   results: BoardResult[];
 }
+/** Of the run that makes a sweep's page. */
+export interface RunData {
+  state: "running" | "complete" | "interrupted";
+  total: number;
+  done: number;
+  /** The total is not known. */
+  is_open: boolean;
+  left_s?: number | null;
+  /** Since 1970, and how often the page is written. */
+  written_s?: number;
+  every_s?: number;
+}
+/** A metric of a planner over the pairs of trials, as `compare --format json` has it. */
+export interface MetricChange {
+  planner: string;
+  metric: string;
+  unit: string;
+  better: "less" | "more" | "neither";
+  is_measured: boolean;
+  pair_count: number;
+  base_mean: number | null;
+  new_mean: number | null;
+  change: number | null;
+  change_lower: number | null;
+  change_upper: number | null;
+  limit: number | null;
+  adjusted_p: number | null;
+  verdict: "regression" | "improvement" | "small" | "unclear" | "same" | "not_gated";
+}
+export interface ComparisonData {
+  base: string;
+  new: string;
+  base_sweep: string;
+  new_sweep: string;
+  title: string;
+  warnings: string[];
+  planners: { planner: string; pair_count: number; only_base_count: number; only_new_count: number }[];
+  metrics: MetricChange[];
+  tables: ReportTable[];
+  /** Abbreviations and what they stand for. */
+  notes: [string, string][];
+  /** The sides that are tables of trials, which have no flights. */
+  no_flights: ("base" | "new")[];
+}
+/** Trials that both sides of a comparison have. */
+export interface PairsData {
+  planners: string[];
+  maps: string[];
+  outcomes: string[];
+  /** Planner, map, mission, outcome before and after: indices but for the mission. */
+  rows: [number, number, number, number, number][];
+}
 export interface PageData {
   format: number;
-  kind: "sweep" | "flight" | "map" | "board";
+  kind: "sweep" | "flight" | "map" | "board" | "comparison";
   title: string;
   program: { version: string; git: string; compiler: string };
   command: string;
   sweeps?: SweepData[];
+  /** The planners of several sweeps in one table. */
+  side_by_side?: ReportTable;
+  run?: RunData;
+  comparison?: ComparisonData;
+  pairs?: PairsData;
   boards?: BoardData[];
   flights: FlightData[];
   flights_left_out?: number;

@@ -6,7 +6,8 @@ import { useEffect, useLayoutEffect, useMemo, useRef, useState } from "preact/ho
 import { About } from "./about";
 import { Board } from "./board";
 import { Planners, Swatch } from "./chart";
-import type { FlightData, PageData, Sweep, Theme } from "./data";
+import { ComparisonPage } from "./comparison";
+import type { FlightData, PageData, Sweep } from "./data";
 import {
   digits,
   goalsOf,
@@ -19,10 +20,13 @@ import {
   readSweep,
   showTheme,
 } from "./data";
+import type { Shown } from "./frame";
+import { Frame, usedTheme } from "./frame";
 import { Overview } from "./overview";
 import { watchPaper } from "./paper";
 import type { Entry, Neighbours, Scene } from "./replay";
 import { Replay } from "./replay";
+import { Report } from "./report";
 import type { Facet, View } from "./state";
 import { chosenTrials, facetId, facetsOf, kUsualView, linkOfView, viewOfLink } from "./state";
 import { TrialTable, useOrder } from "./trials";
@@ -97,7 +101,7 @@ function sceneOfPage(page: PageData): Scene {
       outcome: head.outcome,
       reason: head.reason,
       cause: "",
-      id: head.id,
+      id: head.id ?? head.key,
       key: head.key,
       facts: [],
     };
@@ -240,71 +244,6 @@ function Warnings({ sweep }: { sweep: Sweep }): JSX.Element | null {
   );
 }
 
-function usedTheme(view: View): Theme {
-  const usual = window.matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light";
-  return (view.theme || usual) as Theme;
-}
-
-interface Shown {
-  page: PageData;
-  view: View;
-  change: (part: Partial<View>) => void;
-}
-
-function Frame(
-  props: Shown & {
-    tabs: [string, string][];
-    subtitle: string;
-    title: string;
-    children: ComponentChildren;
-    sweeps?: JSX.Element | null;
-  },
-): JSX.Element {
-  const { view, change } = props;
-  const theme = usedTheme(view);
-  return (
-    <>
-      <a
-        class="skip"
-        href="#main"
-        onClick={(e) => {
-          e.preventDefault();
-          document.getElementById("main")?.focus();
-        }}
-      >
-        To the content
-      </a>
-      <header>
-        <div class="title">
-          <h1>{props.title}</h1>
-          <p>{props.subtitle}</p>
-        </div>
-        {props.sweeps}
-        <nav aria-label="Parts of the page">
-          {props.tabs.map(([id, name]) => (
-            <button aria-current={view.tab === id ? "page" : undefined} onClick={() => change({ tab: id })}>
-              {name}
-            </button>
-          ))}
-        </nav>
-        <button
-          class="theme"
-          onClick={() => change({ theme: theme === "dark" ? "light" : "dark" })}
-          aria-label={`Switch to ${theme === "dark" ? "light" : "dark"} colours`}
-        >
-          {theme === "dark" ? "☀" : "☾"}
-        </button>
-      </header>
-      <main id="main" tabIndex={-1}>
-        {props.children}
-      </main>
-      <footer>
-        avoidbench {props.page.program.version} ({props.page.program.git}) · <code>{props.page.command}</code>
-      </footer>
-    </>
-  );
-}
-
 function SweepPage({ page, view, change }: Shown): JSX.Element {
   const at = Math.min(Math.max(Math.trunc(view.sweep), 0), page.sweeps!.length - 1);
   const sweep = useMemo(() => readSweep(page, at), [page, at]);
@@ -321,6 +260,7 @@ function SweepPage({ page, view, change }: Shown): JSX.Element {
   const tabs: [string, string][] = [
     ["overview", "Overview"],
     ["trials", "Trials"],
+    ...(page.side_by_side ? [["sweeps", "All sweeps"] as [string, string]] : []),
     ...(trial >= 0 ? [["replay", "Flight"] as [string, string]] : []),
     ["about", "About"],
   ];
@@ -360,6 +300,11 @@ function SweepPage({ page, view, change }: Shown): JSX.Element {
         {tab === "overview" ? <Overview sweep={sweep} chosen={chosen} view={view} change={change} open={open} /> : null}
         {tab === "trials" ? (
           <TrialTable sweep={sweep} columns={columns} order={order} view={view} change={change} open={open} />
+        ) : null}
+        {tab === "sweeps" && page.side_by_side ? (
+          <section class="tables" aria-label="All sweeps">
+            <Report table={page.side_by_side} open />
+          </section>
         ) : null}
         {tab === "about" ? <About page={page} sweep={sweep} /> : null}
         {tab === "replay" ? (
@@ -445,6 +390,17 @@ function OnePage({ page, view, change }: Shown): JSX.Element {
   );
 }
 
+/** Of a run that has no trial yet. */
+function WaitingPage({ page, view, change }: Shown): JSX.Element {
+  return (
+    <Frame page={page} view={view} change={change} title={page.title} subtitle="" tabs={[]}>
+      <p class="empty">
+        {page.run?.state === "running" ? "The first trials are being flown." : "No trial has been flown."}
+      </p>
+    </Frame>
+  );
+}
+
 function BoardPage({ page, view, change }: Shown): JSX.Element {
   const tab = view.tab === "about" ? "about" : "board";
   return (
@@ -484,10 +440,16 @@ function App({ page }: { page: PageData }): JSX.Element {
   const shown = useRef(view);
   shown.current = view;
   useEffect(() => watchPaper(() => usedTheme(shown.current)), []);
+  const tab = useRef(view.tab);
   useEffect(() => {
-    window.scrollTo(0, 0);
+    // Not at first: a page that was loaded again stands where it was.
+    if (tab.current !== view.tab) window.scrollTo(0, 0);
+    tab.current = view.tab;
   }, [view.tab]);
-  const Page = page.kind === "sweep" ? SweepPage : page.kind === "board" ? BoardPage : OnePage;
+  const Sweeps = page.sweeps?.length ? SweepPage : WaitingPage;
+  const Page = { sweep: Sweeps, board: BoardPage, comparison: ComparisonPage, flight: OnePage, map: OnePage }[
+    page.kind
+  ];
   return <Page page={page} view={view} change={change} />;
 }
 

@@ -19,7 +19,7 @@ export interface Entry extends Look {
   outcome: string;
   reason: string;
   cause: string;
-  id: number;
+  id: number | string;
   key: string;
   facts: [string, string][];
 }
@@ -101,6 +101,8 @@ export function Replay(props: {
   theme: Theme;
   change: (part: Partial<View>) => void;
   close: (() => void) | null;
+  /** What it closes to. */
+  list?: string;
   neighbours?: Neighbours;
 }): JSX.Element {
   const { page, scene, theme, view } = props;
@@ -271,7 +273,7 @@ export function Replay(props: {
   return (
     <section class="replay" aria-label="Replay">
       <div class="replay-head">
-        {props.close ? <button onClick={props.close}>← Trials</button> : null}
+        {props.close ? <button onClick={props.close}>← {props.list ?? "Trials"}</button> : null}
         {props.close ? <h2>{scene.title}</h2> : null}
         {props.neighbours ? <Steps {...props.neighbours} /> : null}
       </div>

@@ -41,7 +41,8 @@ export function viewOfLink(link: string): View {
   const view: View = { ...kUsualView, filters: {} };
   const words = new URLSearchParams(link.replace(/^#/, ""));
   for (const [name, value] of words) {
-    if (name === "tab") view.tab = ["overview", "trials", "replay", "about"].includes(value) ? value : "overview";
+    if (name === "tab")
+      view.tab = ["overview", "trials", "sweeps", "replay", "about"].includes(value) ? value : "overview";
     else if (name === "sweep") view.sweep = Number(value) || 0;
     else if (name === "q") view.search = value;
     else if (name === "sort") view.sort = value;

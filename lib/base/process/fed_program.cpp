@@ -72,6 +72,15 @@ bool FedProgram::write(std::span<const std::uint8_t> bytes) {
   return true;
 }
 
+bool FedProgram::offer(std::string_view message) {
+  ssize_t count = 0;
+  do {
+    // A local socket takes a short message whole or not at all.
+    count = ::send(input_, message.data(), message.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+  } while (count < 0 && errno == EINTR);
+  return count >= 0 || errno == EAGAIN || errno == EWOULDBLOCK;
+}
+
 int FedProgram::finish() {
   ::close(input_);
   int status = 0;

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace avoidbench {
@@ -24,6 +25,9 @@ class FedProgram {
 
   /// False where the program takes no more: it has ended.
   bool write(std::span<const std::uint8_t> bytes);
+  /// A short message, which is dropped where the program has no room for it now: waits for nothing.
+  /// False where it takes no more.
+  bool offer(std::string_view message);
   /// Says that there is no more, waits, and returns the exit code; -1 where it was killed.
   int finish();
 

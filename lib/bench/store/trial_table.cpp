@@ -196,7 +196,8 @@ void visit_trials(const Database& database, std::string_view sweep, std::int64_t
     for (std::size_t i = 0; i < database.metrics().size(); ++i) {
       trial.metrics.push_back(s.real(column++));
     }
-    trial.cause = s.free_text(column + 1);  // behind the key
+    trial.key = s.text(column);
+    trial.cause = s.free_text(column + 1);
     visit(std::move(trial));
   }
 }

@@ -46,7 +46,7 @@ std::vector<std::string> axis_paths(std::string_view sweep_spec_json);
 
 /// A trial of a sweep, without its flight and spec.
 struct VisitedTrial {
-  std::string planner_key, map_key;
+  std::string key, planner_key, map_key;
   std::int64_t mission_index = 0;
   Outcome outcome = Outcome::timed_out;
   std::string cause;            ///< of a failure, where it is told

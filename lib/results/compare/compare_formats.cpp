@@ -45,48 +45,6 @@ Json json_of(const MetricComparison& row, const std::string& planner) {
           {"verdict", text(row.verdict)}};
 }
 
-std::string json_text(const Comparison& comparison) {
-  Json planners = Json::array(), rows = Json::array(), flips = Json::array(),
-       causes = Json::array();
-  for (const PlannerPairs& planner : comparison.planners) {
-    planners.push_back({{"planner", planner.planner},
-                        {"pair_count", planner.pair_count},
-                        {"only_base_count", planner.only_base_count},
-                        {"only_new_count", planner.only_new_count},
-                        {"lost_count", planner.lost_count},
-                        {"gained_count", planner.gained_count}});
-  }
-  for (const MetricComparison& row : comparison.rows) {
-    rows.push_back(json_of(row, comparison.planners[row.planner].planner));
-  }
-  for (const Flip& flip : comparison.flips) {
-    Json& entry = flips.emplace_back(json_of(flip.identity));
-    entry["before"] = text(flip.before);
-    entry["after"] = text(flip.after);
-  }
-  for (const CauseChange& change : comparison.causes) {
-    causes.push_back({{"planner", change.planner},
-                      {"cause", change.cause},
-                      {"pair_count", change.pair_count},
-                      {"base_count", change.base_count},
-                      {"new_count", change.new_count},
-                      {"p", number(change.p)}});
-  }
-  return dumped({{"base", comparison.base},
-                 {"new", comparison.now},
-                 {"base_sweep", comparison.base_sweep},
-                 {"new_sweep", comparison.new_sweep},
-                 {"alpha", comparison.alpha},
-                 {"test_count", comparison.test_count},
-                 {"regression_count", count_of(comparison, Verdict::regression)},
-                 {"improvement_count", count_of(comparison, Verdict::improvement)},
-                 {"warnings", comparison.warnings},
-                 {"planners", planners},
-                 {"metrics", rows},
-                 {"flips", flips},
-                 {"causes", causes}});
-}
-
 std::string json_text(const ExactComparison& comparison) {
   Json differences = Json::array();
   for (const Difference& difference : comparison.differences) {
@@ -233,6 +191,48 @@ std::string section_text(const Section& section, TableFormat format) {
 
 }  // namespace
 
+Json comparison_json(const Comparison& comparison) {
+  Json planners = Json::array(), rows = Json::array(), flips = Json::array(),
+       causes = Json::array();
+  for (const PlannerPairs& planner : comparison.planners) {
+    planners.push_back({{"planner", planner.planner},
+                        {"pair_count", planner.pair_count},
+                        {"only_base_count", planner.only_base_count},
+                        {"only_new_count", planner.only_new_count},
+                        {"lost_count", planner.lost_count},
+                        {"gained_count", planner.gained_count}});
+  }
+  for (const MetricComparison& row : comparison.rows) {
+    rows.push_back(json_of(row, comparison.planners[row.planner].planner));
+  }
+  for (const Flip& flip : comparison.flips) {
+    Json& entry = flips.emplace_back(json_of(flip.identity));
+    entry["before"] = text(flip.before);
+    entry["after"] = text(flip.after);
+  }
+  for (const CauseChange& change : comparison.causes) {
+    causes.push_back({{"planner", change.planner},
+                      {"cause", change.cause},
+                      {"pair_count", change.pair_count},
+                      {"base_count", change.base_count},
+                      {"new_count", change.new_count},
+                      {"p", number(change.p)}});
+  }
+  return {{"base", comparison.base},
+          {"new", comparison.now},
+          {"base_sweep", comparison.base_sweep},
+          {"new_sweep", comparison.new_sweep},
+          {"alpha", comparison.alpha},
+          {"test_count", comparison.test_count},
+          {"regression_count", count_of(comparison, Verdict::regression)},
+          {"improvement_count", count_of(comparison, Verdict::improvement)},
+          {"warnings", comparison.warnings},
+          {"planners", planners},
+          {"metrics", rows},
+          {"flips", flips},
+          {"causes", causes}};
+}
+
 std::string format_comparison(const Comparison& comparison, CompareFormat format) {
   switch (format) {
     case CompareFormat::table:
@@ -240,7 +240,7 @@ std::string format_comparison(const Comparison& comparison, CompareFormat format
     case CompareFormat::markdown:
       return section_text(comparison_section(comparison), TableFormat::markdown);
     case CompareFormat::json:
-      return json_text(comparison);
+      return dumped(comparison_json(comparison));
     case CompareFormat::junit:
       return junit_text(comparison);
     case CompareFormat::github:

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "compare/compare.hpp"
 #include "table/table.hpp"
 
@@ -16,9 +18,12 @@ struct EnumText<CompareFormat> {
       {CompareFormat::github, "github"}};
 };
 
+/// Everything, all flips too, numbers with all digits, null where there is none.
+nlohmann::ordered_json comparison_json(const Comparison& comparison);
+
 /// The comparison as text that ends with a newline.
 /// - table, markdown: for people, comparison_section();
-/// - json: everything, all flips too, numbers with all digits, null where there is none;
+/// - json: comparison_json();
 /// - junit: JUnit XML, one test case a planner and metric: a regression is a failure, a metric that
 ///   may not fail the comparison is skipped;
 /// - github: github-action-benchmark's customSmallerIsBetter of the new means of metrics of which

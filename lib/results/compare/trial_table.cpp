@@ -137,6 +137,7 @@ TrialTable table_of_sweep(const Database& database, const SweepInfo& sweep,
     row.mission = map.missions.at(trial.mission_index);
     row.outcome = trial.outcome;
     row.cause = std::move(trial.cause);
+    row.key = std::move(trial.key);
     row.metrics = std::move(trial.metrics);
   });
   // The order that pairing relies on; the database's is that of flying.

@@ -36,6 +36,7 @@ struct TableTrial {
   Outcome outcome = Outcome::timed_out;
   std::vector<double> metrics;  ///< one an element of TrialTable::metrics, NaN where there is none
   std::string cause = {};       ///< of a failure, where `explain` has told it; not in a CSV
+  std::string key = {};         ///< in its database; "" for one from a CSV
 };
 
 /// The trials of one sweep, from a database or from a table that was committed.

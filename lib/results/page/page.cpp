@@ -8,7 +8,7 @@
 #include "base/words.hpp"
 #include "maps/map_spec.hpp"
 #include "page/flight_choice.hpp"
-#include "page/flight_data.hpp"
+#include "page/flight_filling.hpp"
 #include "page/page_text.hpp"
 #include "report/sweep_tables.hpp"
 #include "sensing/sensor_spec.hpp"
@@ -21,9 +21,6 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr std::size_t kMostUnread = 20;  ///< flights of which it is said why they are not there
-constexpr std::size_t kMostText = 300;   ///< of a warning, characters
-
 ordered_json camera_json(const RigCamera& camera) {
   return {{"pose", pose_json(T_body_camera(camera.mounting))},
           {"fov_x_deg", camera.kind.fov_x_deg},
@@ -33,53 +30,10 @@ ordered_json camera_json(const RigCamera& camera) {
           {"max_m", camera.kind.max_range_m}};
 }
 
-/// Flights of a page while it fills.
-struct Filling {
-  PageScenes scenes = {};
-  ordered_json flights = ordered_json::array();
-  std::size_t bytes = 0, limit = 0;
-  std::size_t largest_bytes = 0;  ///< of the flights, without maps
-  std::size_t unread_count = 0;   ///< of flights that can't be read
-
-  /// Whether another flight is not even worth reading.
-  bool is_full() const { return bytes + largest_bytes > limit; }
-};
-
 /// A trial of a page: the place of its sweep, and its own in there.
 struct PageTrial {
   std::size_t sweep = 0, trial = 0;
 };
-
-/// Puts the flight into the page, with map and rig. False: there is no room, and nothing was put
-/// in.
-bool add_flight(PackedFlight packed, const PageTrial& of, std::span<const PageDatabase> databases,
-                Filling& filling) {
-  if (!packed.stored) {
-    // Of all flights of a damaged file a few stand for the others.
-    if (filling.unread_count++ < kMostUnread) {
-      filling.scenes.warnings.push_back("a flight is not shown: " + packed.problem);
-    }
-    return true;
-  }
-  if (packed.json == nullptr) return true;
-  const StoredTrial& stored = *packed.stored;
-  const PageScenes::Mark before = filling.scenes.mark();
-  ordered_json flight = std::move(*packed.json);
-  flight["sweep"] = of.sweep;
-  flight["trial"] = of.trial;
-  filling.scenes.place(stored, filling.scenes.world_of(stored, databases[packed.database].files),
-                       flight);
-  const std::size_t flight_bytes = size_in_page(flight);
-  const std::size_t bytes = flight_bytes + filling.scenes.bytes_since(before);
-  if (filling.bytes + bytes > filling.limit) {
-    filling.scenes.back_to(before);
-    return false;
-  }
-  filling.bytes += bytes;
-  filling.largest_bytes = std::max(filling.largest_bytes, flight_bytes);
-  filling.flights.push_back(std::move(flight));
-  return true;
-}
 
 /// All trials in the order in which their flights are put into a page: sweep after sweep.
 std::vector<PageTrial> flights_in_order(const std::vector<PageSweep>& sweeps) {
@@ -101,10 +55,6 @@ std::vector<PageTrial> flights_in_order(const std::vector<PageSweep>& sweeps) {
   return order;
 }
 
-std::string megabytes(std::size_t bytes) {
-  return fixed_digits(1e-6 * static_cast<double>(bytes), 1) + " MB";
-}
-
 /// What a page's sweeps leave out, whatever their size.
 void warn_of_pairs(const std::vector<PageSweep>& sweeps, std::vector<std::string>& warnings) {
   for (const PageSweep& sweep : sweeps) {
@@ -115,6 +65,13 @@ void warn_of_pairs(const std::vector<PageSweep>& sweeps, std::vector<std::string
                          table.name);
     }
   }
+}
+
+/// The planners of all sweeps in one table.
+ordered_json sweeps_side_by_side(const std::vector<PageSweep>& sweeps) {
+  std::vector<SweepSummary> summaries;
+  for (const PageSweep& sweep : sweeps) summaries.push_back(sweep.summary);
+  return table_json(side_by_side(summaries).tables.front());
 }
 
 /// Goals before the last, where there are any.
@@ -136,7 +93,7 @@ std::size_t PageScenes::bytes_since(const Mark& mark) const {
   for (std::size_t i = mark.worlds; i < worlds.size(); ++i) bytes += size_in_page(worlds[i]);
   for (std::size_t i = mark.rigs; i < rigs.size(); ++i) bytes += size_in_page(rigs[i]);
   for (std::size_t i = mark.meshes; i < meshes.size(); ++i) bytes += size_in_page(meshes[i]);
-  return bytes + (warnings.size() - mark.warnings) * kMostText;
+  return bytes + (warnings.size() - mark.warnings) * kMostPageWarning;
 }
 
 void PageScenes::back_to(const Mark& mark) {
@@ -214,7 +171,7 @@ void add_scenes(PageScenes scenes, ordered_json& page) {
   std::vector<std::string>& warnings = scenes.warnings;
   std::sort(warnings.begin(), warnings.end());
   warnings.erase(std::unique(warnings.begin(), warnings.end()), warnings.end());
-  for (std::string& warning : warnings) warning = cut_to_width(warning, kMostText);
+  for (std::string& warning : warnings) warning = cut_to_width(warning, kMostPageWarning);
   page["scene_warnings"] = std::move(warnings);
 }
 
@@ -230,33 +187,24 @@ ordered_json sweeps_page(const std::vector<PageSweep>& sweeps,
     page["sweeps"].push_back(sweep_json(sweep));
     trial_count += sweep.result.trials.size();
   }
-  // Beside flights, maps and rigs, with warnings as long as they get.
-  const std::size_t own_bytes = size_in_page(page) + (kMostUnread + 2 + sweeps.size()) * kMostText;
-  Filling filling{.bytes = own_bytes, .limit = limit_bytes};
+  if (sweeps.size() > 1) page["side_by_side"] = sweeps_side_by_side(sweeps);
+  FlightFilling filling = filling_beside(page, limit_bytes, sweeps.size());
   warn_of_pairs(sweeps, filling.scenes.warnings);
-  if (own_bytes > limit_bytes) {
-    filling.scenes.warnings.push_back(
-        "no flight fits: the tables and the numbers of " + counted(trial_count, "trial") +
-        " alone take " + megabytes(own_bytes) + ", but the limit leaves " + megabytes(limit_bytes) +
-        " for data: the page is larger than the limit");
-  }
+  if (filling.is_full()) warn_of_size(trial_count, filling);
   const std::vector<PageTrial> order = flights_in_order(sweeps);
   std::vector<std::string> keys;
   for (const PageTrial& one : order) keys.push_back(sweeps[one.sweep].result.trials[one.trial].key);
-  FlightReader flights(databases, std::move(keys),
-                       limit_bytes > own_bytes ? limit_bytes - own_bytes : 0);
+  FlightReader flights(databases, std::move(keys), filling.room());
   std::size_t shown = 0;
-  while (shown < order.size() && !filling.is_full() &&
-         add_flight(flights.next(), order[shown], databases, filling)) {
+  while (shown < order.size() && !filling.is_full()) {
+    const PageTrial& one = order[shown];
+    PackedFlight flight = flights.next();
+    const ReplayFiles& files = databases[flight.database].files;
+    const ordered_json marks = {{"sweep", one.sweep}, {"trial", one.trial}};
+    if (!add_flight(std::move(flight), marks, files, filling)) break;
     ++shown;
   }
-  if (filling.unread_count > kMostUnread) {
-    filling.scenes.warnings.push_back(
-        "and so " + counted(filling.unread_count - kMostUnread, "further flight"));
-  }
-  page["flights"] = std::move(filling.flights);
-  page["flights_left_out"] = order.size() - shown;
-  add_scenes(std::move(filling.scenes), page);
+  add_filling(std::move(filling), order.size() - shown, page);
   return page;
 }
 

@@ -14,6 +14,8 @@
 
 namespace avoidbench {
 
+inline constexpr std::size_t kMostPageWarning = 300;  ///< characters
+
 /// What made a page: it says so on itself.
 struct PageOrigin {
   std::string version, git_hash, compiler, command;
