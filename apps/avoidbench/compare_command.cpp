@@ -1,5 +1,6 @@
 #include <iostream>
 
+#include "base/words.hpp"
 #include "commands.hpp"
 #include "compare/compare_formats.hpp"
 #include "compare/reality.hpp"
@@ -37,7 +38,7 @@ void bless(const CompareCommand& command) {
   }
   const TrialTable table = read_table(table_file(command.base), command.sweep);
   write_text(csv_of_table(table), command.bless_file);
-  std::cerr << command.bless_file << ": " << table.trials.size() << " trials of sweep "
+  std::cerr << command.bless_file << ": " << counted(table.trials.size(), "trial") << " of sweep "
             << table.sweep << "\n";
 }
 

@@ -6,6 +6,8 @@
 #include "base/math.hpp"
 #include "base/spec_json.hpp"
 #include "base/visible_text.hpp"
+#include "base/words.hpp"
+#include "config/defaults.hpp"
 #include "config/sweep_file.hpp"
 #include "config/sweep_keys.hpp"
 #include "explain.hpp"
@@ -117,7 +119,8 @@ void explain_minimal(const ExplainOptions& options) {
       .most_flights = options.most_flights,
       .fleet = fleet_options(options.flights, options.flights.job_count(), &signals),
       .on_progress = [](std::int64_t flights, std::size_t obstacles) {
-        std::cerr << flights << " flights, " << obstacles << " obstacles left\n";
+        std::cerr << counted(flights, "flight") << ", " << counted(obstacles, "obstacle")
+                  << " left\n";
       }};
   SmallestScene scene = smallest_scene(request);
   if (scene.is_stopped) end_stopped(signals, "stopped: nothing was written");

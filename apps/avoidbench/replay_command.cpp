@@ -8,6 +8,7 @@
 #include "base/number_text.hpp"
 #include "base/option_error.hpp"
 #include "base/visible_text.hpp"
+#include "base/words.hpp"
 #include "commands.hpp"
 #include "database_choice.hpp"
 #include "export/export_flight.hpp"
@@ -146,7 +147,8 @@ void print_last(const std::string& title, const Lines& lines, std::size_t most, 
   if (lines.empty()) return;
   const std::size_t skipped = most > 0 && lines.size() > most ? lines.size() - most : 0;
   std::cout << '\n' << title;
-  if (skipped > 0) std::cout << ", without its first " << skipped << " lines (--log 0 for all)";
+  if (skipped > 0)
+    std::cout << ", without its first " << counted(skipped, "line") << " (--log 0 for all)";
   std::cout << '\n';
   for (std::size_t i = skipped; i < lines.size(); ++i) print(lines[i]);
 }

@@ -170,8 +170,8 @@ void draw_plots(const std::vector<std::string>& databases, const std::string& sw
 void check_stored(std::span<const Database> databases) {
   for (const Database& database : databases) {
     const std::int64_t count = check_all(database);
-    std::cerr << database.path().string() << ": " << count
-              << " trials checked: rows, flights, plan calls and events are as they were stored\n";
+    std::cerr << database.path().string() << ": " << counted(count, "trial")
+              << " checked: rows, flights, plan calls and events are as they were stored\n";
   }
 }
 

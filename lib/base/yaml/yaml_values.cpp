@@ -208,7 +208,7 @@ std::optional<std::string> read_choice(const GivenValue& given,
 
 bool check_list(const GivenValue& given, std::optional<std::size_t> count) {
   const std::vector<YamlNode>& items = given.node.items;
-  const std::string what = count ? "a list of " + std::to_string(*count) + " values" : "a list";
+  const std::string what = count ? "a list of " + counted(*count, "value") : "a list";
   const bool is_list = given.node.kind == YamlNode::Kind::list;
   if (is_list && (!count || items.size() == *count)) return true;
   if (is_list) given.add_problem("expected " + what + ", found " + std::to_string(items.size()));
