@@ -46,7 +46,8 @@ ReportQuery query_of(const ReportOptions& options) {
   const std::vector<std::string> known = table_names();
   for (const std::string& table : options.tables) {
     if (!contains(known, table)) {
-      throw InputError("--tables " + table + ": unknown" + did_you_mean(table, known));
+      throw InputError("--tables " + table + ": unknown" + did_you_mean(table, known) +
+                       "; tables are " + joined(known));
     }
   }
   return query;
