@@ -56,7 +56,7 @@ json scene_planner(const PlannerChoice& planner) {
   return entry;
 }
 
-/// The sweep of one trial: YAML, since JSON is.
+/// The sweep of one trial.
 std::string scene_sweep(const SmallestScene& scene, const std::string& key) {
   const TrialSpec& spec = scene.spec;
   json sweep = spec_to_json(spec);
@@ -76,7 +76,7 @@ std::string scene_sweep(const SmallestScene& scene, const std::string& key) {
   sweep["latency"] = {{"mode", text(spec.latency.mode)}};
   if (spec.latency.mode == LatencyMode::fixed) sweep["latency"]["ms"] = spec.latency.ms;
   return "# The smallest set of obstacles with which trial " + key.substr(0, 12) +
-         " still fails:\n#   avoidbench run sweep.yaml\n" + sweep.dump(2) + "\n";
+         " still fails:\n#   avoidbench run sweep.yaml\n" + sweep_file_yaml(sweep);
 }
 
 /// Beside the map, where the sweep file then finds it.
