@@ -46,8 +46,9 @@ ReportQuery query_of(const ReportOptions& options) {
   const std::vector<std::string> known = table_names();
   for (const std::string& table : options.tables) {
     if (!contains(known, table)) {
-      throw InputError("--tables " + table + ": unknown" + did_you_mean(table, known) +
-                       "; tables are " + joined(known));
+      const std::string meant = did_you_mean(table, known);
+      throw InputError("--tables " + table + ": unknown" +
+                       (meant.empty() ? "; tables are " + joined(known) : meant));
     }
   }
   return query;

@@ -224,11 +224,12 @@ TEST_F(SweepFiles, EachProblemHasItsPlaceAndReason) {
        "s.yaml:3:28: sensor.census_px: unknown key"},
       {"maps: {kind: hall, area_m: [10, 12], height_m: 4, foo: 3}",
        "s.yaml:3:8: maps.kind: unknown key (did you mean generator?)"},
-      {"sensor: {disparities: 64, p2_factor: 3, census_px: 4}",
-       "s.yaml:3:10: sensor.disparities: unknown key for kind depth_ideal (a key of kind "
-       "stereo_sgbm, stereo_sgm; the same holds for p2_factor)"},
+      {"sensor: {p1_factor: 2, p2_factor: 3, block_px: 5}",
+       "s.yaml:3:10: sensor.p1_factor: unknown key for kind depth_ideal (a key of kind "
+       "stereo_sgbm; "
+       "the same holds for p2_factor, block_px)"},
       {"vehicle: {preset: firefly, mass_kg: {kind: heavy, value: 3}}",
-       "s.yaml:3:37: vehicle.mass_kg.kind: unknown key of a range; a range is {from, to, count} or "
+       "s.yaml:3:38: vehicle.mass_kg.kind: unknown key of a range; a range is {from, to, count} or "
        "{from, to, step}"},
       {"maps: forest", "s.yaml:3:7: maps: expected a mapping (name: value), found \"forest\""},
       {"maps: {seeds: [1, 1]}", "s.yaml:3:19: maps.seeds: 1 is given twice"},

@@ -155,8 +155,10 @@ void add_lines(const nlohmann::ordered_json& json, const std::string& indent, st
       text += begin + " " + flow + "\n";
       continue;
     }
-    text += begin + "\n";
+    if (json.is_object()) text += begin + "\n";
+    const std::size_t first = text.size() + indent.size();
     add_lines(value, indent + "  ", text);
+    if (json.is_array()) text[first] = '-';  // before the element's first key
   }
 }
 
