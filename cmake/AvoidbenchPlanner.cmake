@@ -9,8 +9,8 @@ function(avoidbench_planner name)
   if(TARGET avoidbench_flags)
     target_link_libraries(${name} PRIVATE avoidbench_flags)
   else()
-    # A planner's arithmetic must not depend on the processor either.
-    target_compile_options(${name} PRIVATE -ffp-contract=off)
+    # A planner's arithmetic must not depend on the processor either. -g1: a crash report names lines.
+    target_compile_options(${name} PRIVATE -ffp-contract=off $<$<NOT:$<CONFIG:Debug,RelWithDebInfo>>:-g1>)
   endif()
   target_link_libraries(${name} PRIVATE avoidbench::planner_api ${PLANNER_PRIVATE})
   set_target_properties(${name} PROPERTIES PREFIX "" SUFFIX ".so"

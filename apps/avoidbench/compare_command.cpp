@@ -2,6 +2,7 @@
 #include <iostream>
 #include <optional>
 
+#include "base/words.hpp"
 #include "commands.hpp"
 #include "compare/compare_formats.hpp"
 #include "compare/reality.hpp"
@@ -42,7 +43,7 @@ void bless(const CompareCommand& command) {
   }
   const TrialTable table = read_table(table_file(command.base), command.sweep);
   write_text(csv_of_table(table), command.bless_file);
-  std::cerr << command.bless_file << ": " << table.trials.size() << " trials of sweep "
+  std::cerr << command.bless_file << ": " << counted(table.trials.size(), "trial") << " of sweep "
             << table.sweep << "\n";
 }
 

@@ -3,6 +3,7 @@
 #include <memory>
 #include <set>
 
+#include "base/words.hpp"
 #include "commands.hpp"
 #include "config/defaults.hpp"
 #include "config/explain.hpp"
@@ -47,18 +48,16 @@ std::string size_text(const SweepSpec& sweep) {
   for (const Axis& axis : sweep.axes) settings *= axis.values.size();
   const auto missions = static_cast<std::size_t>(sweep.trials);
   std::size_t trials = settings * missions * sweep.planners.size();
-  std::string missions_text = std::to_string(missions) + " missions";
+  std::string missions_text = counted(missions, "mission");
   if (!sweep.missions.empty()) {  // maps may have fewer than `missions`
     const std::vector<PlannedTrial> planned = expand(sweep);
     check_listed_missions(sweep, planned);
     const bool is_even = planned.size() == trials;
     trials = planned.size();
-    missions_text =
-        std::string(is_even ? "" : "up to ") + std::to_string(missions) + " listed missions";
+    missions_text = std::string(is_even ? "" : "up to ") + counted(missions, "listed mission");
   }
-  return sweep.name + ": " + std::to_string(trials) + " trials = " + std::to_string(settings) +
-         " settings × " + missions_text + " × " + std::to_string(sweep.planners.size()) +
-         " planners\n";
+  return sweep.name + ": " + counted(trials, "trial") + " = " + counted(settings, "setting") +
+         " × " + missions_text + " × " + counted(sweep.planners.size(), "planner") + "\n";
 }
 
 void check(const std::string& file, const std::vector<std::string>& overrides, bool resolved) {

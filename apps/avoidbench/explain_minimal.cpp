@@ -6,6 +6,8 @@
 #include "base/math.hpp"
 #include "base/spec_json.hpp"
 #include "base/visible_text.hpp"
+#include "base/words.hpp"
+#include "config/defaults.hpp"
 #include "config/sweep_file.hpp"
 #include "config/sweep_keys.hpp"
 #include "explain.hpp"
@@ -54,7 +56,7 @@ json scene_planner(const PlannerChoice& planner) {
   return entry;
 }
 
-/// The sweep of one trial: YAML, since JSON is.
+/// The sweep of one trial.
 std::string scene_sweep(const SmallestScene& scene, const std::string& key) {
   const TrialSpec& spec = scene.spec;
   json sweep = spec_to_json(spec);
@@ -74,7 +76,7 @@ std::string scene_sweep(const SmallestScene& scene, const std::string& key) {
   sweep["latency"] = {{"mode", text(spec.latency.mode)}};
   if (spec.latency.mode == LatencyMode::fixed) sweep["latency"]["ms"] = spec.latency.ms;
   return "# The smallest set of obstacles with which trial " + key.substr(0, 12) +
-         " still fails:\n#   avoidbench run sweep.yaml\n" + sweep.dump(2) + "\n";
+         " still fails:\n#   avoidbench run sweep.yaml\n" + sweep_file_yaml(sweep);
 }
 
 /// Beside the map, where the sweep file then finds it.
@@ -117,7 +119,8 @@ void explain_minimal(const ExplainOptions& options) {
       .most_flights = options.most_flights,
       .fleet = fleet_options(options.flights, options.flights.job_count(), &signals),
       .on_progress = [](std::int64_t flights, std::size_t obstacles) {
-        std::cerr << flights << " flights, " << obstacles << " obstacles left\n";
+        std::cerr << counted(flights, "flight") << ", " << counted(obstacles, "obstacle")
+                  << " left\n";
       }};
   SmallestScene scene = smallest_scene(request);
   if (scene.is_stopped) end_stopped(signals, "stopped: nothing was written");

@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "base/visible_text.hpp"
+#include "base/words.hpp"
 #include "metrics/metric_table.hpp"
 #include "output.hpp"
 #include "version.hpp"
@@ -16,7 +17,7 @@ constexpr int kExplainCheckFailed = 1;
 /// Flights so far: at each tenth of the way.
 void tell_flights(std::size_t done, std::size_t total) {
   if (10 * done / total == 10 * (done - 1) / total) return;
-  std::cerr << done << " of " << total << " flights\n";
+  std::cerr << done << " of " << counted(total, "flight") << '\n';
 }
 
 WhatIfRequest request_of(const ExplainOptions& options, const Database& database) {

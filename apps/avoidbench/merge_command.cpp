@@ -2,6 +2,7 @@
 
 #include "base/kept_files.hpp"
 #include "base/visible_text.hpp"
+#include "base/words.hpp"
 #include "command_options.hpp"
 #include "commands.hpp"
 #include "metrics/metric_table.hpp"
@@ -24,7 +25,7 @@ bool print_completeness(const Database& database) {
   for (const SweepCompleteness& sweep : sweep_completeness(database)) {
     std::cout << "sweep " << visible_line(sweep.name);
     if (sweep.revision > 1) std::cout << " (revision " << sweep.revision << ")";
-    std::cout << ": " << sweep.flown << " of " << sweep.wanted << " trials";
+    std::cout << ": " << sweep.flown << " of " << counted(sweep.wanted, "trial");
     if (sweep.flown < sweep.wanted) {
       is_complete = false;
       std::cout << ", " << sweep.wanted - sweep.flown << " missing";
@@ -43,7 +44,8 @@ void merge(const MergeCommand& command) {
   Database into = Database::open_for_run(command.into, metric_table());
   for (const std::string& file : command.from) {
     const MergeResult result = merge_database(into, file);
-    std::cout << file << ": " << result.trials << " trials, " << result.new_trials << " new\n";
+    std::cout << file << ": " << counted(result.trials, "trial") << ", " << result.new_trials
+              << " new\n";
     for (const std::string& problem : merge_kept_files(command.into, file)) {
       std::cerr << "warning: a kept file is not copied: " << problem << '\n';
     }

@@ -8,6 +8,7 @@
 #include "base/number_text.hpp"
 #include "base/option_error.hpp"
 #include "base/visible_text.hpp"
+#include "base/words.hpp"
 #include "commands.hpp"
 #include "database_choice.hpp"
 #include "export/export_flight.hpp"
@@ -20,6 +21,7 @@
 #include "replay_verify.hpp"
 #include "trial/flown_world.hpp"
 #include "view_output.hpp"
+#include "worker/source_lines.hpp"
 #include "worker/worker_death.hpp"
 
 namespace avoidbench {
@@ -111,6 +113,27 @@ JobEnd fly_recorded(const Task& task, const RecordingWanted& wanted) {
   return fly_one(job, task.fleet);
 }
 
+/// Its places with their lines of source, "mine.so  plan(void*)+0x1b  mine.cpp:42", where the
+/// library has them; on a machine that can't read them with the command that prints them elsewhere.
+std::vector<std::string> stack_text(const CrashStack& stack, const PlannerChoice& planner) {
+  std::vector<std::uint64_t> addresses;
+  for (const StackPlace& place : stack.places) {
+    if (place.address != 0) addresses.push_back(place.address);
+  }
+  const std::vector<std::string> lines = source_lines(stack.library_file, addresses);
+  std::vector<std::string> text;
+  std::size_t i = 0;
+  for (const StackPlace& place : stack.places) {
+    const std::string line = place.address != 0 && i < lines.size() ? lines[i++] : "";
+    text.push_back(under_flown_name(place.text, planner) + (line.empty() ? "" : "  " + line));
+  }
+  if (lines.empty() && !addresses.empty()) {
+    text.push_back("lines of source, with the package binutils: " +
+                   joined(source_lines_command(stack.library_file, addresses), " "));
+  }
+  return text;
+}
+
 /// Flies it. Where its worker dies, what that has noted is lost: it is flown once more, up to the
 /// call that did not come back.
 Flown fly(const Task& task) {
@@ -123,7 +146,7 @@ Flown fly(const Task& task) {
               .stack = {},
               .printed = std::move(end.printed),
               .recording = {}};
-  for (const std::string& line : end.stack) flown.stack.push_back(under_flown_name(line, planner));
+  flown.stack = stack_text(end.stack, planner);
   if (const std::string map = other_map_warning(task.flight.stored, end); !map.empty()) {
     std::cerr << "warning: " << map << '\n';
   }
@@ -146,7 +169,8 @@ void print_last(const std::string& title, const Lines& lines, std::size_t most, 
   if (lines.empty()) return;
   const std::size_t skipped = most > 0 && lines.size() > most ? lines.size() - most : 0;
   std::cout << '\n' << title;
-  if (skipped > 0) std::cout << ", without its first " << skipped << " lines (--log 0 for all)";
+  if (skipped > 0)
+    std::cout << ", without its first " << counted(skipped, "line") << " (--log 0 for all)";
   std::cout << '\n';
   for (std::size_t i = skipped; i < lines.size(); ++i) print(lines[i]);
 }

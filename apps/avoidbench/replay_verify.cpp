@@ -8,6 +8,7 @@
 
 #include "base/option_error.hpp"
 #include "base/visible_text.hpp"
+#include "base/words.hpp"
 #include "database_choice.hpp"
 #include "replay/sample.hpp"
 #include "sweep/schedule.hpp"
@@ -103,11 +104,15 @@ void verify_trials(const VerifyChoice& choice, ReplayPlanners& planners,
       std::erase_if(sampled, [](const TrialListing& one) { return one.is_recorded; });
   const Verified verified = fly_all(choice.database, sampled, planners, options);
   for (const auto& [index, text] : verified.lines) std::cout << text;
-  std::cout << verified.flown << " trials flown again, " << verified.lines.size() << " different\n";
+  std::cout << counted(verified.flown, "trial") << " flown again, " << verified.lines.size()
+            << " different\n";
   if (passed_over > 0) {
     std::cout << passed_over << " crashed or hung and were not flown: see avoidbench run --rerun\n";
   }
-  if (recorded > 0) std::cout << recorded << " are real flights, which can't be flown again\n";
+  if (recorded > 0) {
+    std::cout << recorded << (recorded == 1 ? " is a real flight" : " are real flights")
+              << ", which can't be flown again\n";
+  }
   if (verified.with_copy > 0) {
     std::cerr << verified.with_copy
               << " of them with copies of planners that the run kept: their files are gone or have "

@@ -45,7 +45,9 @@ ReportQuery query_of(const ReportOptions& options) {
   const std::vector<std::string> known = table_names();
   for (const std::string& table : options.tables) {
     if (!contains(known, table)) {
-      throw InputError("--tables " + table + ": unknown" + did_you_mean(table, known));
+      const std::string meant = did_you_mean(table, known);
+      throw InputError("--tables " + table + ": unknown" +
+                       (meant.empty() ? "; tables are " + joined(known) : meant));
     }
   }
   return query;
@@ -171,8 +173,8 @@ void draw_plots(const std::vector<std::string>& databases, const std::string& sw
 void check_stored(std::span<const Database> databases) {
   for (const Database& database : databases) {
     const std::int64_t count = check_all(database);
-    std::cerr << database.path().string() << ": " << count
-              << " trials checked: rows, flights, plan calls and events are as they were stored\n";
+    std::cerr << database.path().string() << ": " << counted(count, "trial")
+              << " checked: rows, flights, plan calls and events are as they were stored\n";
   }
 }
 

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <iostream>
 
+#include "base/words.hpp"
 #include "command_options.hpp"
 #include "commands.hpp"
 #include "config/sweep_file.hpp"
@@ -25,7 +26,8 @@ void print_estimate(const std::vector<PlannedTrial>& trials, const std::filesyst
   }
   const RunEstimate estimate = estimate_run(trials, Database::open_for_reading(file));
   std::cerr << estimate.missing << " to fly: about " << duration_text(estimate.worker_time_s / jobs)
-            << " with " << jobs << " workers, " << std::llround(estimate.bytes / 1e6) << " MB";
+            << " with " << counted(jobs, "worker") << ", " << std::llround(estimate.bytes / 1e6)
+            << " MB";
   if (estimate.unknown > 0) {
     std::cerr << "; without " << estimate.unknown << " of planners not flown yet";
   }
@@ -39,7 +41,7 @@ void print_trials(const std::vector<PlannedTrial>& trials) {
               << keys.map_key(trial).substr(0, 12) << " seed " << trial.setting->map_seed
               << "  mission " << trial.mission_index << "  " << trial.planner_label() << '\n';
   }
-  std::cerr << trials.size() << " trials\n";
+  std::cerr << counted(trials.size(), "trial") << '\n';
 }
 
 void run(const RunCommand& command) {

@@ -40,12 +40,14 @@ void print_revision(const Database& database, const std::string& sweep,
 void print_summary(const RunSummary& summary, int ignored_signals) {
   const Progress& progress = summary.progress;
   if (progress.done_before > 0) {
-    std::cerr << progress.done_before << " trials are already in the database\n";
+    std::cerr << counted(progress.done_before, "trial")
+              << (progress.done_before == 1 ? " is" : " are") << " already in the database\n";
   }
   if (progress.invalid_missions > 0) {
-    std::cerr << progress.invalid_missions
-              << " trials have an invalid mission (no free start or goal, or no path between them) "
-                 "and are not flown\n";
+    const bool is_one = progress.invalid_missions == 1;
+    std::cerr << counted(progress.invalid_missions, "trial") << (is_one ? " has" : " have")
+              << " an invalid mission (no free start or goal, or no path between them) and "
+              << (is_one ? "is" : "are") << " not flown\n";
   }
   for (const std::string& problem : summary.unkept) {
     std::cerr << "warning: no copy of a file that was used is kept: " << problem << '\n';
@@ -56,8 +58,9 @@ void print_summary(const RunSummary& summary, int ignored_signals) {
                              : " processes behind; they were ended\n");
   }
   if (ignored_signals > 0) {
-    std::cerr << "warning: " << ignored_signals
-              << " signals to stop came from a planner; they were ignored\n";
+    std::cerr << "warning: " << counted(ignored_signals, "signal")
+              << " to stop came from a planner; " << (ignored_signals == 1 ? "it was" : "they were")
+              << " ignored\n";
   }
   if (summary.unflown.empty()) return;
   constexpr std::size_t kMostShown = 10;  // of a map that could not be measured, all
@@ -71,8 +74,9 @@ void print_summary(const RunSummary& summary, int ignored_signals) {
     std::cerr << "warning: and so are " << summary.unflown.size() - shown << " more\n";
   }
   std::cerr
-      << summary.unflown.size()
-      << " trials were not flown: somebody, the kernel short of memory, or a limit of CPU time "
+      << counted(summary.unflown.size(), "trial")
+      << (summary.unflown.size() == 1 ? " was" : " were")
+      << " not flown: somebody, the kernel short of memory, or a limit of CPU time "
          "(ulimit -t) killed their\nworkers. Run the same command again, with fewer --jobs or a "
          "lower --memory-limit if memory is short\n";
 }

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <iostream>
 
+#include "base/words.hpp"
 #include "command_options.hpp"
 #include "commands.hpp"
 #include "config/sweep_file.hpp"
@@ -75,12 +76,12 @@ void warn(const RunCommand& command, const SweepSpec& sweep, int jobs) {
     std::cerr << "warning: latency is measured: results depend on this machine and its load\n";
   }
   if (sweep.trials < 10 && !sweep.limit.is_set() && !command.is_of_suite) {
-    std::cerr << "warning: " << sweep.trials
-              << " trials per map: success rates of single maps are too coarse to compare\n";
+    std::cerr << "warning: " << counted(sweep.trials, "trial")
+              << " per map: success rates of single maps are too coarse to compare\n";
   }
   if (jobs > allowed_cpus()) {
-    std::cerr << "warning: " << jobs << " workers on " << allowed_cpus()
-              << " CPUs: processing times will be too long (results do not change, except with "
+    std::cerr << "warning: " << counted(jobs, "worker") << " on " << counted(allowed_cpus(), "CPU")
+              << ": processing times will be too long (results do not change, except with "
                  "measured latency)\n";
   }
   for (const PlannerChoice& planner : sweep.planners) {

@@ -9,6 +9,7 @@
 
 #include "base/output_file.hpp"
 #include "base/visible_text.hpp"
+#include "base/words.hpp"
 #include "visible_streams.hpp"
 
 namespace avoidbench {
@@ -31,8 +32,8 @@ double left_s(const Progress& progress, double elapsed_s) {
 /// "12/30 trials", and of an open number "12 trials so far, 4 more in this round".
 std::string trials_text(const Progress& progress) {
   const std::int64_t due = due_of(progress), done = progress.done;
-  if (!progress.is_open) return std::to_string(done) + "/" + std::to_string(due) + " trials";
-  std::string text = std::to_string(done) + " trials so far";
+  if (!progress.is_open) return std::to_string(done) + "/" + counted(due, "trial");
+  std::string text = counted(done, "trial") + " so far";
   if (done < due) text += ", " + std::to_string(due - done) + " more in this round";
   return text;
 }

@@ -66,7 +66,7 @@ void check_suite(const CheckOptions& options) {
     throw InputError("--cells: " + options.track + " has none of these; its cells are " +
                      joined(cells));
   }
-  std::cout << options.track << ": " << map_count << " maps generated with their missions, "
+  std::cout << options.track << ": " << counted(map_count, "map") << " generated with missions, "
             << (problems.empty() ? "all equal to the frozen ones" : "not equal to the frozen ones")
             << '\n';
   if (!problems.empty()) throw CLI::RuntimeError(kChanged);

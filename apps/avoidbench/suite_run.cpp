@@ -2,6 +2,7 @@
 
 #include "base/option_error.hpp"
 #include "base/output_file.hpp"
+#include "base/words.hpp"
 #include "commands.hpp"
 #include "explain.hpp"
 #include "output.hpp"
@@ -129,7 +130,7 @@ SuiteResult fly_suite(const SuiteMaps& maps, const SuiteOptions& options) {
   std::vector<SuiteRow> rows = rows_of(database, suite);
   const auto missions = static_cast<std::size_t>(mission_count(suite, maps.split));
   if (rows.size() != missions) {
-    throw InputError(folder.string() + ": " + std::to_string(rows.size()) + " flights, expected " +
+    throw InputError(folder.string() + ": " + counted(rows.size(), "flight") + ", expected " +
                      std::to_string(missions));
   }
   SuiteResult result =

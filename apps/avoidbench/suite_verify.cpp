@@ -9,6 +9,7 @@
 #include "base/digest.hpp"
 #include "base/number_text.hpp"
 #include "base/visible_text.hpp"
+#include "base/words.hpp"
 #include "output.hpp"
 #include "replay/sample.hpp"
 #include "suite.hpp"
@@ -227,8 +228,9 @@ void verify_suite(const SuiteOptions& options) {
   check_rows(chosen, result, sweeps);
   const SuiteScore score = score_of(chosen.suite, result);
   std::cout << "claimed: " << visible_line(result.label) << ", " << result.suite << "/"
-            << result.track << " " << text(result.split) << ", " << result.rows.size()
-            << " flights, score " << fixed_digits(score.score.value, 2) << " m/s\n";
+            << result.track << " " << text(result.split) << ", "
+            << counted(result.rows.size(), "flight") << ", score "
+            << fixed_digits(score.score.value, 2) << " m/s\n";
   if (const std::string digest = flown_digest(own); digest != result.planner_digest) {
     std::cerr << "note: the planner here is a different build (SHA-256 " << digest.substr(0, 12)
               << "…) than the one that flew (" << result.planner_digest.substr(0, 12) << "…)\n";
@@ -236,7 +238,8 @@ void verify_suite(const SuiteOptions& options) {
   const std::string salt =
       options.salt.empty() ? file_digest(fs::path(options.folder) / kTrialsFile) : options.salt;
   const std::set<std::string> sample = sampled_keys(result, share_from(options.sample), salt);
-  std::cout << "sampled: " << sample.size() << " of " << result.rows.size() << " flights\n"
+  std::cout << "sampled: " << sample.size() << " of " << counted(result.rows.size(), "flight")
+            << '\n'
             << std::flush;
   const std::map<std::string, SuiteRow> flown = fly_sample(chosen, options, sweeps, sample);
   std::size_t verified = 0;
@@ -253,8 +256,8 @@ void verify_suite(const SuiteOptions& options) {
     if (found.empty()) ++verified;
     if (!found.empty()) std::cout << "  " << place_of(row) << ": " << found << '\n';
   }
-  std::cout << "verified: " << verified << " of " << sample.size()
-            << " flights are the same, bit for bit\n";
+  std::cout << "verified: " << verified << " of " << counted(sample.size(), "flight")
+            << (sample.size() == 1 ? " is" : " are") << " the same, bit for bit\n";
   if (verified < sample.size()) {
     refuse("the flights are not those that it claims");
   }

@@ -21,6 +21,7 @@
 #include "base/number_text.hpp"
 #include "base/poll.hpp"
 #include "base/random.hpp"
+#include "base/words.hpp"
 #include "bindings.hpp"
 #include "config/sweep_file.hpp"
 #include "metrics/environment.hpp"
@@ -239,7 +240,7 @@ using MissionRow = std::array<double, 7>;
 std::vector<MissionRow> missions(const GivenMap& given, std::int64_t count) {
   if (count < 0 || count > 1'000'000) refuse("count must be within [0, 1000000]");
   if (!given.listed.empty() && count > static_cast<std::int64_t>(given.listed.size())) {
-    refuse("the sweep lists only " + std::to_string(given.listed.size()) + " missions");
+    refuse("the sweep lists only " + counted(given.listed.size(), "mission"));
   }
   const Released released;
   std::vector<MissionRow> rows;

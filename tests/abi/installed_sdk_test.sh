@@ -39,6 +39,22 @@ cmake -S "$work/drift" -B "$work/build" -DCMAKE_PREFIX_PATH="$work/prefix" -DCMA
 cmake --build "$work/build" >/dev/null
 "$conformance" "$work/build/planners/drift.so"
 
+# Where it crashes, replay names the line of source.
+cp -r drift crash
+line=$(grep -n 'const ab_state& state = \*seen.state;' crash/drift.cpp | cut -d: -f1)
+sed -i "${line}s|\$| if (state.time_s > 0.5) *static_cast<volatile int*>(nullptr) = 1;|" crash/drift.cpp
+cmake -S crash -B crash/build -DCMAKE_PREFIX_PATH="$work/prefix" -DCMAKE_CXX_COMPILER="$compiler" >/dev/null
+cmake --build crash/build >/dev/null
+cat > crash/crash.yaml <<'YAML'
+sweep: crash
+planners: [./build/planners/drift.so]
+trials: 1
+maps: {generator: hall, area_m: [10, 12], poisson_radius_m: 3}
+mission: {time_limit_s: 2}
+YAML
+"$program" run crash/crash.yaml --db crash.db --quiet 2>/dev/null || true
+"$program" replay crash.db 1 2>&1 | grep -q "drift.so  .*  drift.cpp:$line\$" || { echo "no line $line in the stack:"; "$program" replay crash.db 1; exit 1; }
+
 # A C++ class behind an adapter.
 "$program" planners new class --kind class >/dev/null
 cmake -S class -B class/build -DCMAKE_PREFIX_PATH="$work/prefix" -DCMAKE_CXX_COMPILER="$compiler" \

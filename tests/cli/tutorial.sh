@@ -23,6 +23,6 @@ while IFS= read -r line; do
   count=$((count + 1))
 done < <(sed -n 's/^    //p' "$source/docs/submit.md")
 [ "$count" -ge 9 ] || { echo "tutorial: $count commands only" >&2; exit 1; }
-grep -q 'verified: 1 of 1 flights are the same, bit for bit' out.txt || { cat out.txt >&2; exit 1; }
+grep -q 'verified: 1 of 1 flight is the same, bit for bit' out.txt || { cat out.txt >&2; exit 1; }
 grep -q '"label":"swift"' board.html
 echo "tutorial: $count commands"

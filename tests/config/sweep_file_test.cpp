@@ -222,6 +222,15 @@ TEST_F(SweepFiles, EachProblemHasItsPlaceAndReason) {
        "s.yaml:3:16: sensor.kind: \"stereo_sgn\" is not one of depth_ideal, depth_noisy, "
        "stereo_sgbm, stereo_sgm, none (did you mean stereo_sgm?)\n"
        "s.yaml:3:28: sensor.census_px: unknown key"},
+      {"maps: {kind: hall, area_m: [10, 12], height_m: 4, foo: 3}",
+       "s.yaml:3:8: maps.kind: unknown key (did you mean generator?)"},
+      {"sensor: {p1_factor: 2, p2_factor: 3, block_px: 5}",
+       "s.yaml:3:10: sensor.p1_factor: unknown key for kind depth_ideal (a key of kind "
+       "stereo_sgbm; "
+       "the same holds for p2_factor, block_px)"},
+      {"vehicle: {preset: firefly, mass_kg: {kind: heavy, value: 3}}",
+       "s.yaml:3:38: vehicle.mass_kg.kind: unknown key of a range; a range is {from, to, count} or "
+       "{from, to, step}"},
       {"maps: forest", "s.yaml:3:7: maps: expected a mapping (name: value), found \"forest\""},
       {"maps: {seeds: [1, 1]}", "s.yaml:3:19: maps.seeds: 1 is given twice"},
       {"maps: {seeds: 0}", "s.yaml:3:15: maps.seeds: 0 is outside [1, 10000]"},
@@ -381,6 +390,12 @@ TEST_F(SweepFiles, ProblemsOfPlanners) {
   EXPECT_EQ(of("tunable\n  - tunable"),
             "s.yaml:4:5: planners[1]: the label 'tunable' is that of planners[0]; give one of them "
             "another 'label'");
+  // Of a planner that is not known, no key is.
+  EXPECT_EQ(of("{kind: tunable, horizon_m: 3, parameters: {x: 3}}"),
+            "s.yaml:3:5: planners[0]: lacks 'plugin', the planner's name or file");
+  EXPECT_TRUE(
+      of("{plugin: ./s.yaml, horizon_m: 3}").starts_with("s.yaml:3:14: planners[0].plugin"));
+  EXPECT_EQ(of("{plugin: ./s.yaml, horizon_m: 3}").find('\n'), std::string::npos);
   EXPECT_EQ(of("[tunable]"),
             "s.yaml:3:5: planners[0]: expected a planner's name or {plugin, label, parameters}, "
             "found a list");

@@ -167,9 +167,11 @@ TEST(Causes, TooLateForSpeedWhereTheRangeIsShort) {
   EXPECT_EQ(into_the_wall(spec, 1.0).explanation.cause, Cause::sensed_not_avoided);
 }
 
-TEST(Causes, NotSensedWhereNoImageIsLookedAt) {
+TEST(Causes, BlindWhereNothingIsLookedAt) {
   const Told told = into_the_wall(spec_of<Blind>(), 2.0);
-  EXPECT_EQ(told.explanation.cause, Cause::not_sensed) << facts_text(told.explanation);
+  EXPECT_EQ(told.explanation.cause, Cause::blind) << facts_text(told.explanation);
+  EXPECT_EQ(told.explanation.facts.sight_input_count, 0.0);
+  EXPECT_EQ(into_the_wall(spec_of<Silent>(), 2.0).explanation.facts.sight_input_count, 1.0);
   EXPECT_TRUE(std::isnan(told.explanation.facts.sensed_s));
   EXPECT_GT(told.explanation.facts.in_range_s, 0.0);
 }

@@ -105,6 +105,8 @@ TEST(Rules, TheFirstThatHoldsIsTheCause) {
   then(&Facts::in_range_s, 6.0, Cause::too_late_for_speed);
   then(&Facts::unoccluded_s, 6.0, Cause::occluded);
   then(&Facts::in_cone_s, 6.0, Cause::out_of_view);
+  then(&Facts::sight_input_count, 1.0, Cause::out_of_view);
+  then(&Facts::sight_input_count, 0.0, Cause::blind);
   facts.tracking_error_m = 0.4;
   then(&Facts::commanded_clearance_m, 0.2, Cause::tracking);
   facts.obstacle_way_m = 0.3;

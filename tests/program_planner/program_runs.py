@@ -414,6 +414,23 @@ def checked(runs):
     runs.expect_nothing_left("after checks")
 
 
+def looked_for_once(runs):
+    """The run looks for a Python with NumPy, not each of its workers: one killed meanwhile would leave that behind."""
+    log, wrapper = runs.folder / "looks.txt", runs.folder / "python.sh"
+    python = os.environ.get("AVOIDBENCH_PYTHON", "python3")
+    wrapper.write_text(f'#!/bin/sh\ncase "$*" in *find_spec*) echo look >> {log} ;; esac\nexec {python} "$@"\n')
+    wrapper.chmod(0o755)
+    runs.environment["AVOIDBENCH_PYTHON"] = str(wrapper)
+    sweep = runs.sweep("looks.yaml", [runs.sources / "python/examples/straight_line.py"])
+    # Without a sandbox workers can write to the log, too.
+    runs.run(sweep, "looks.db", "--jobs", "3", "--no-sandbox")
+    del runs.environment["AVOIDBENCH_PYTHON"]
+    if "AVOIDBENCH_PYTHON" in os.environ:
+        runs.environment["AVOIDBENCH_PYTHON"] = os.environ["AVOIDBENCH_PYTHON"]
+    looks = log.read_text().count("look")
+    runs.expect("Python is looked for once", looks == 1, looks)
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("program")
@@ -433,6 +450,7 @@ def main():
         parts = {
             "mistakes": mistakes,
             "checked": checked,
+            "looks": looked_for_once,
             "same_bits": same_bits,
             "files": files_of_planners,
             "hostile": hostile,

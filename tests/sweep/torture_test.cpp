@@ -139,10 +139,12 @@ TEST(CrashReport, NamesThePlacesInThePlannersLibrary) {
       "/x/mine.so(_ZN10avoidbench6detail4planI5TalksEEiPvPK14ab_observationP10ab_command+0x31) "
       "[0x3]\n";
   EXPECT_EQ(crash_site(sdk, "mine.so"), "mine.so: Talks::plan+0x33");
-  const std::vector<std::string> lines = stack_lines(report, "/elsewhere/mine.so", 3);
-  ASSERT_EQ(lines.size(), 2U);
-  EXPECT_EQ(lines[0], "mine.so  mine::plan(double)+0x1b");
-  EXPECT_EQ(lines[1], "mine.so  +0x1234");
+  const CrashStack stack = crash_stack(report, "/elsewhere/mine.so", 3);
+  ASSERT_EQ(stack.places.size(), 2U);
+  EXPECT_EQ(stack.places[0].text, "mine.so  mine::plan(double)+0x1b");
+  EXPECT_EQ(stack.places[0].address, 0U);  // the file is not there
+  EXPECT_EQ(stack.places[1].text, "mine.so  +0x1234");
+  EXPECT_EQ(stack.places[1].address, 0x1233U);  // of the call, not of where it returns to
 }
 
 }  // namespace

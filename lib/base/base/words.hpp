@@ -1,7 +1,8 @@
 #pragma once
 
 #include <algorithm>
-#include <cstdint>
+#include <concepts>
+#include <cstddef>
 #include <functional>
 #include <iterator>
 #include <optional>
@@ -58,11 +59,9 @@ std::optional<std::size_t> place_in(const Range& range, const Value& value, Part
 }
 
 /// "1 trial", "3 trials".
-inline std::string counted(std::int64_t count, std::string_view noun) {
+template <std::integral Count>
+std::string counted(Count count, std::string_view noun) {
   return std::to_string(count) + " " + std::string(noun) + (count == 1 ? "" : "s");
-}
-inline std::string counted(std::size_t count, std::string_view noun) {
-  return counted(static_cast<std::int64_t>(count), noun);
 }
 
 }  // namespace avoidbench

@@ -1,6 +1,7 @@
 #include "yaml/yaml_reader.hpp"
 
-#include <algorithm>
+#include <map>
+#include <span>
 
 #include "base/words.hpp"
 
@@ -68,11 +69,24 @@ std::optional<GivenValue> MappingReader::take(std::string_view name) {
 /// those that it goes on to ignore.
 void MappingReader::finish(const std::string& kind,
                            const std::function<std::string(std::string_view)>& others) {
+  std::map<std::string, std::vector<std::string>> keys_of;  // of each owner that is not asked for
   for (const YamlNode& key : mapping_.node.keys) {
-    if (std::find(names_.begin(), names_.end(), key.scalar) != names_.end()) continue;
+    if (contains(names_, key.scalar)) continue;
     const std::string owner = others ? others(key.scalar) : "";
-    std::string hint =
-        owner.empty() ? did_you_mean(key.scalar, names_) : " (a key of " + owner + ")";
+    if (!owner.empty()) keys_of[owner].push_back(key.scalar);
+  }
+  for (const YamlNode& key : mapping_.node.keys) {
+    if (contains(names_, key.scalar)) continue;
+    const std::string owner = others ? others(key.scalar) : "";
+    std::string hint = did_you_mean(key.scalar, names_);
+    if (!owner.empty()) {
+      // Several keys of one owner have one reason: that the owner was not asked for.
+      const std::vector<std::string>& keys = keys_of[owner];
+      if (keys.front() != key.scalar) continue;
+      hint = " (a key of " + owner +
+             (keys.size() > 1 ? "; the same holds for " + joined(std::span(keys).subspan(1)) : "") +
+             ")";
+    }
     // A longer list hides the message; a likely name is offered in its place.
     constexpr std::size_t kMostListed = 12;
     if (hint.empty() && !names_.empty() && names_.size() <= kMostListed) {

@@ -64,14 +64,12 @@ std::optional<double> range_number(const GivenValue& range, const std::string& k
 std::optional<std::vector<YamlNode>> range_values(const GivenValue& range) {
   constexpr double kLongestRange = 10000;
   const std::vector<std::string> known{"from", "to", "count", "step"};
-  const std::size_t before = range.reading.problems.size();
   for (const YamlNode& key : range.node.keys) {
-    if (std::find(known.begin(), known.end(), key.scalar) != known.end()) continue;
-    range.at(key, key.scalar)
+    if (contains(known, key.scalar)) continue;
+    return range.at(key, key.scalar)
         .add_problem("unknown key of a range" + did_you_mean(key.scalar, known) +
                      "; a range is {from, to, count} or {from, to, step}");
   }
-  if (range.reading.problems.size() > before) return std::nullopt;
   const std::optional<double> from = range_number(range, "from");
   const std::optional<double> to = range_number(range, "to");
   const bool by_step = range.node.find("step") != nullptr;
@@ -208,7 +206,7 @@ std::optional<std::string> read_choice(const GivenValue& given,
 
 bool check_list(const GivenValue& given, std::optional<std::size_t> count) {
   const std::vector<YamlNode>& items = given.node.items;
-  const std::string what = count ? "a list of " + std::to_string(*count) + " values" : "a list";
+  const std::string what = count ? "a list of " + counted(*count, "value") : "a list";
   const bool is_list = given.node.kind == YamlNode::Kind::list;
   if (is_list && (!count || items.size() == *count)) return true;
   if (is_list) given.add_problem("expected " + what + ", found " + std::to_string(items.size()));

@@ -36,15 +36,23 @@ void add_line(const std::string& content, const std::string& comment, std::strin
   text += padded + "# " + comment + "\n";
 }
 
-/// The fields in the order of the tree, those of a variant's kind beside it.
-/// JSON objects are in order of names; people expect that of the documentation.
+/// The fields in the order of the tree, those of a variant's kind beside it, then what else there
+/// is. JSON objects are in order of names; people expect that of the documentation.
 nlohmann::ordered_json in_order(const FieldTree& block, const Json& values) {
   nlohmann::ordered_json ordered = nlohmann::ordered_json::object();
-  for (const FieldTree& field : block.fields) {
-    if (field.kind == FieldKind::other) continue;  // a preset
-    ordered[field.name] = values.at(field.name);
-    if (field.kind != FieldKind::variant) continue;
-    ordered.update(in_order(*field.find(values.at(field.name).get<std::string>()), values));
+  const auto add = [&](const FieldTree& of, const auto& add_inner) -> void {
+    for (const FieldTree& field : of.fields) {
+      const auto found = values.find(field.name);
+      if (found == values.end()) continue;  // a preset
+      const bool is_block = field.kind == FieldKind::block && found->is_object();
+      ordered[field.name] = is_block ? in_order(field, *found) : nlohmann::ordered_json(*found);
+      if (field.kind == FieldKind::variant)
+        add_inner(*field.find(found->get<std::string>()), add_inner);
+    }
+  };
+  add(block, add);
+  for (const auto& [key, value] : values.items()) {
+    if (!ordered.contains(key)) ordered[key] = value;
   }
   return ordered;
 }
@@ -115,16 +123,6 @@ void add_key(const FieldTree& key, const Json& defaults, std::string& text) {
   }
 }
 
-std::string sweep_yaml() {
-  std::string text =
-      "# A sweep with every key at its default; only 'sweep' and 'planners' must be given.\n"
-      "# One value may be a list, or a range {from: 2.3, to: 5.8, count: 10} or {from, to, step}:\n"
-      "# each combination of such values is flown. config explain KEY describes a key.\n";
-  const Json defaults = preset_json(sweep_tree());
-  for (const FieldTree& key : sweep_tree().fields) add_key(key, defaults, text);
-  return text;
-}
-
 std::string scalar_yaml(const nlohmann::ordered_json& json) {
   if (json.is_number_float()) return number_text(json.get<double>());
   if (!json.is_string()) return json.dump();
@@ -141,6 +139,37 @@ std::string scalar_yaml(const nlohmann::ordered_json& json) {
                             text != "false" && text != "null" && text.front() != '.';
   // JSON's quotes and escapes are YAML's too.
   return means_itself && std::all_of(text.begin(), text.end(), is_plain) ? text : json.dump();
+}
+
+/// Lines of a mapping or list, each below `indent`.
+void add_lines(const nlohmann::ordered_json& json, const std::string& indent, std::string& text) {
+  constexpr std::size_t kWidth = 100;
+  for (const auto& [key, value] : json.items()) {
+    const std::string begin = indent + (json.is_object() ? scalar_yaml(key) + ":" : "-");
+    const std::string flow = flow_yaml(value);
+    const bool has_blocks =
+        value.is_object() || (value.is_array() && !value.empty() && value.front().is_object());
+    const bool fits = begin.size() + flow.size() < kWidth;
+    // A list's mapping has one line where it fits, a mapping's block never.
+    if (!value.is_structured() || value.empty() || (fits && (!has_blocks || json.is_array()))) {
+      text += begin + " " + flow + "\n";
+      continue;
+    }
+    if (json.is_object()) text += begin + "\n";
+    const std::size_t first = text.size() + indent.size();
+    add_lines(value, indent + "  ", text);
+    if (json.is_array()) text[first] = '-';  // before the element's first key
+  }
+}
+
+std::string sweep_yaml() {
+  std::string text =
+      "# A sweep with every key at its default; only 'sweep' and 'planners' must be given.\n"
+      "# One value may be a list, or a range {from: 2.3, to: 5.8, count: 10} or {from, to, step}:\n"
+      "# each combination of such values is flown. config explain KEY describes a key.\n";
+  const Json defaults = preset_json(sweep_tree());
+  for (const FieldTree& key : sweep_tree().fields) add_key(key, defaults, text);
+  return text;
 }
 
 }  // namespace
@@ -168,6 +197,12 @@ std::string defaults_yaml(const std::string& name) {
   const std::vector<std::string> names = default_names();
   throw InputError("nothing built in is named '" + name + "'" + did_you_mean(name, names) +
                    "; it is one of " + joined(names));
+}
+
+std::string sweep_file_yaml(const Json& keys) {
+  std::string text;
+  add_lines(in_order(sweep_tree(), keys), "", text);
+  return text;
 }
 
 std::string flow_yaml(const nlohmann::ordered_json& json) {

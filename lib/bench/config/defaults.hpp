@@ -17,4 +17,8 @@ std::string defaults_yaml(const std::string& name);
 /// JSON on one line as YAML in people's style: {generator: hall, area_m: [20, 30]}.
 std::string flow_yaml(const nlohmann::ordered_json& json);
 
+/// The keys of a sweep as its file, in people's style: blocks, lists of numbers on one line, keys
+/// in the order of the documentation. It reads back to the same bits.
+std::string sweep_file_yaml(const nlohmann::json& keys);
+
 }  // namespace avoidbench

@@ -152,12 +152,12 @@ std::vector<std::string> row(const FieldTree& field, const std::string& unit) {
   const std::string choices = joined(field.choices);
   if (field.kind == FieldKind::truth) values = "true, false";
   if (!choices.empty()) {
-    values = choices.size() <= kLongest ? choices : std::to_string(field.choices.size()) + " words";
+    values = choices.size() <= kLongest ? choices : counted(field.choices.size(), "word");
   }
   if (field.kind == FieldKind::block) values = "mapping";
   std::string preset = preset_text(field);
   if (preset.size() > kLongest && field.preset.is_array())
-    preset = std::to_string(field.preset.size()) + " values";
+    preset = counted(field.preset.size(), "value");
   return {field.name, unit, values, preset, field.doc};
 }
 

@@ -207,6 +207,23 @@ std::string kinds_with(const FieldTree& block, std::string_view key) {
   return found;
 }
 
+/// Whether the block names a kind under a key that there is not, as `kind: hall` for `generator:
+/// hall`; adds the problem. What else it holds is of that kind.
+bool has_misnamed_kind(const GivenValue& given, const FieldTree& block) {
+  for (const FieldTree& field : block.fields) {
+    if (field.kind != FieldKind::variant || given.node.find(field.name) != nullptr) continue;
+    for (std::size_t i = 0; i < given.node.keys.size(); ++i) {
+      const YamlNode& key = given.node.keys[i];
+      const bool is_key =
+          block.find(key.scalar) != nullptr || !kinds_with(block, key.scalar).empty();
+      if (is_key || !contains(field.choices, given.node.items[i].scalar)) continue;
+      given.at(key, key.scalar).add_problem("unknown key (did you mean " + field.name + "?)");
+      return true;
+    }
+  }
+  return false;
+}
+
 /// Passes over the keys of all kinds of a variant.
 void take_all(MappingReader& mapping, const FieldTree& variant) {
   for (const FieldTree& kind : variant.fields) {
@@ -263,6 +280,7 @@ void read_block(const GivenValue& given, const FieldTree& block, Json& value) {
     return reading.remember(given.path, given.node);
   }
   MappingReader mapping(given);
+  if (has_misnamed_kind(given, block)) return;
   // First of all: the other keys are laid over what the preset says.
   if (const auto preset = has_presets ? mapping.take("preset") : std::nullopt) {
     if (preset->node.kind == YamlNode::Kind::scalar) {

@@ -208,8 +208,8 @@ void check_header(const std::vector<YamlNode>& columns, std::vector<InputProblem
 void read_row(const GivenValue& row, SweepSpec& sweep) {
   const YamlNode& node = row.node;
   if (node.items.size() != node.keys.size()) {
-    row.add_problem(std::to_string(node.items.size()) + " fields, but " +
-                    std::to_string(node.keys.size()) + " columns");
+    row.add_problem(counted(node.items.size(), "field") + ", but " +
+                    counted(node.keys.size(), "column"));
     return;
   }
   WrittenMission written{.node = node};

@@ -260,11 +260,11 @@ std::optional<Entry> read_mapping(const GivenValue& given, bool of_filter) {
     entry.plugin = *name;
     planner = *name == kProcess ? load_command(*plugin, parameters, entry.plugin) : load(*plugin);
   }
-  // Of a planner that was not found nobody knows: no second complaint about this key.
+  // Of a planner that was not found nobody knows: no second complaint about this key or others.
   const bool has_speed = !of_filter && (!planner || parameter_def(*planner, kMaxSpeed) != nullptr);
   const auto max_speed = has_speed ? mapping.take(kMaxSpeed) : std::nullopt;
   if (planner) refuse_misplaced_parameters(given, *planner, mapping);
-  mapping.finish();
+  if (planner) mapping.finish();
   if (label) entry.label = read_label(*label);
   if (!planner) return std::nullopt;
   entry.planner = std::move(*planner);

@@ -159,7 +159,7 @@ class Fleet {
     add_flight(death, *seat.process);
     constexpr std::size_t kMostFrames = 12;
     const std::string file = crashed_file(seat.process->notes(), seat.task->job.job.spec.planner);
-    std::vector<std::string> stack = stack_lines(seat.process->notes(), file, kMostFrames);
+    CrashStack stack = crash_stack(seat.process->notes(), file, kMostFrames);
     end_task(seat, {.death = std::move(death), .stack = std::move(stack)});
   }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "process/sandbox.hpp"
+#include "worker/crash_report.hpp"
 #include "worker/job.hpp"
 #include "worker/worker_death.hpp"
 
@@ -43,7 +44,7 @@ struct JobEnd {
   std::optional<Death> death = {};  ///< its worker's, with how far the flight had come
   std::string killed_by = {};       ///< by somebody else each time: "signal 9 (Killed)"
   std::string printed = {};  ///< by the worker, bounded: see PrintTrimmer; of a lookout's job
-  std::vector<std::string> stack = {};  ///< where it died, innermost first
+  CrashStack stack = {};            ///< where it died
 };
 
 /// How jobs are done several at once.

@@ -33,7 +33,7 @@ bool is_varied(const nlohmann::json& spec, std::string_view path) {
 
 void warn_of_standing(const std::string& label, const PlannerTally& tally,
                       std::vector<std::string>& warnings) {
-  const std::string of_all = " of " + std::to_string(tally.trials) + " trials";
+  const std::string of_all = " of " + counted(tally.trials, "trial");
   if (tally.standing > 0) {
     warnings.push_back(label + " hovered until the time limit in " +
                        std::to_string(tally.standing) + of_all + " (mean speed below " +

@@ -89,6 +89,9 @@ void take_signals() {
 /// One line of backtrace_symbols_fd: "path/name.so(symbol+0x1b) [0x7f…]".
 struct Frame {
   std::string library, symbol, offset;  ///< name.so, demangled or "", "+0x1b"
+  std::string mangled;                  ///< symbol
+  /// Where a signal came, which is the instruction itself; else a place to return to.
+  bool is_interrupted = false;
 };
 
 /// The SDK's frames between host and planner by the planner's own function, which is inlined into
@@ -128,9 +131,13 @@ std::vector<Frame> frames_of(std::string_view report) {
     if (open == std::string_view::npos || close == std::string_view::npos) continue;
     const std::string_view place = line.substr(open + 1, close - open - 1);
     const std::size_t plus = std::min(place.rfind('+'), place.size());
+    const std::string mangled(place.substr(0, plus));
     frames.push_back({.library = std::filesystem::path(line.substr(0, open)).filename().string(),
-                      .symbol = demangled(std::string(place.substr(0, plus))),
-                      .offset = std::string(place.substr(plus))});
+                      .symbol = demangled(mangled),
+                      .offset = std::string(place.substr(plus)),
+                      .mangled = mangled,
+                      // Behind the handler and what the kernel put between them.
+                      .is_interrupted = frames.size() == 2});
   }
   return frames;
 }
@@ -143,6 +150,16 @@ std::vector<Frame> planner_frames(std::string_view report) {
   const std::string program = frames.front().library;
   std::erase_if(frames, [&](const Frame& frame) { return frame.library == program; });
   return frames;
+}
+
+/// Of the frame's instruction in the library; 0 where the frame says nothing of it.
+std::uint64_t instruction_of(const Frame& frame, const std::string& library_file) {
+  if (!frame.offset.starts_with("+0x")) return 0;
+  const std::uint64_t begin = frame.mangled.empty() ? 0 : address_of(library_file, frame.mangled);
+  if (begin == 0 && !frame.mangled.empty()) return 0;
+  const std::uint64_t at = begin + std::strtoull(frame.offset.c_str() + 1, nullptr, 16);
+  // One back from where the call returns to, which may be another line.
+  return frame.is_interrupted || at == 0 ? at : at - 1;
 }
 
 /// "plan(double)+0x1b": what the program's own linker did not know, such as functions that a
@@ -212,25 +229,26 @@ void end_hanging(int exit_code) {
   ::_exit(exit_code);
 }
 
-std::vector<std::string> stack_lines(std::string_view report, std::string_view library_file,
-                                     std::size_t most) {
+CrashStack crash_stack(std::string_view report, const std::string& library_file, std::size_t most) {
   const std::string name = std::filesystem::path(library_file).filename().string();
-  std::vector<std::string> lines;
+  CrashStack stack{.library_file = library_file, .places = {}};
   std::string last;
   for (const Frame& frame : planner_frames(report)) {
-    if (lines.size() == most) break;
+    if (stack.places.size() == most) break;
     // Of the signal's arrival and of the program's start.
     if (is_of_system(frame) && (frame.symbol.empty() || frame.symbol == "__libc_start_main")) {
       continue;
     }
+    const bool is_planner = frame.library == name;
     const std::string place =
-        frame.library == name ? place_of(frame, library_file) : frame.symbol + frame.offset;
+        is_planner ? place_of(frame, library_file) : frame.symbol + frame.offset;
     const std::string function = place.substr(0, place.rfind('+'));
     if (!function.empty() && function == last) continue;
     last = function;
-    lines.push_back(frame.library + "  " + place);
+    stack.places.push_back({.text = frame.library + "  " + place,
+                            .address = is_planner ? instruction_of(frame, library_file) : 0});
   }
-  return lines;
+  return stack;
 }
 
 std::string crash_site(std::string_view report, std::string_view library_file) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,10 +28,21 @@ bool is_marked_from_outside(std::string_view report, int number);
 /// written as for a crash. Call it in another thread, after report_crashes(). Returns never.
 [[noreturn]] void end_hanging(int exit_code);
 
-/// The stack that a report has, innermost first: "mine.so  plan(void*)+0x1b", without the frames
-/// of the handler and of this program. At most so many. `library_file`: the planner's.
-std::vector<std::string> stack_lines(std::string_view report, std::string_view library_file,
-                                     std::size_t most);
+/// One place of a stack.
+struct StackPlace {
+  std::string text;           ///< "mine.so  plan(void*)+0x1b"
+  std::uint64_t address = 0;  ///< in the planner's library, of the instruction; 0: elsewhere
+};
+
+/// Where a crash was, innermost first.
+struct CrashStack {
+  std::string library_file;  ///< the planner's
+  std::vector<StackPlace> places;
+};
+
+/// The stack that a report has, without the frames of the handler and of this program. At most so
+/// many.
+CrashStack crash_stack(std::string_view report, const std::string& library_file, std::size_t most);
 
 /// Where a crash was, for its reason: the library's name and the places in it, as crash_places(),
 /// or, if none is in it, the innermost other library that is not the system's, with the function's

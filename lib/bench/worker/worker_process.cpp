@@ -16,6 +16,7 @@
 
 #include "base/input_error.hpp"
 #include "process/process_tree.hpp"
+#include "program_planner/planner_source.hpp"
 #include "worker/crash_report.hpp"
 #include "worker/worker.hpp"
 
@@ -37,13 +38,15 @@ constexpr int kAboveChild = kJournalFd + 5;
 constexpr const char* kTunables =
     "GLIBC_TUNABLES=glibc.cpu.hwcaps=-FMA,-FMA4,-FMA_Usable,-FMA4_Usable";
 
-/// The environment as it is, with the one variable set; pointers into `environ`, which has to stay.
-std::vector<char*> child_environment() {
+/// The environment as it is, with the two variables set; pointers into `environ` and `python`,
+/// which have to stay.
+std::vector<char*> child_environment(std::string& python) {
   std::vector<char*> variables;
   for (char** variable = environ; *variable != nullptr; ++variable) {
     if (std::strncmp(*variable, "GLIBC_TUNABLES=", 15) != 0) variables.push_back(*variable);
   }
   variables.push_back(const_cast<char*>(kTunables));
+  if (!python.empty()) variables.push_back(python.data());
   variables.push_back(nullptr);
   return variables;
 }
@@ -135,7 +138,8 @@ WorkerProcess::WorkerProcess(const std::vector<std::string>& command) {
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
-  std::vector<char*> variables = child_environment();
+  std::string python = python_variable();
+  std::vector<char*> variables = child_environment(python);
   const int error =
       ::posix_spawn(&pid_, arguments[0], &actions, &attributes, arguments.data(), variables.data());
   posix_spawnattr_destroy(&attributes);

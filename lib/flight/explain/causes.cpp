@@ -13,6 +13,7 @@ constexpr CauseDef kCauses[] = {
      "obstacle_way_m > 0 and still_clearance_m > 0.02"},
     {Cause::tracking, "the commanded path was clear, but the vehicle left it",
      "commanded_clearance_m > 0.05 and tracking_error_m > commanded_clearance_m"},
+    {Cause::blind, "the planner takes no input that could show it", "sight_input_count = 0"},
     {Cause::out_of_view, "the obstacle came into the field of view too late or never",
      "not in_cone_s <= last_chance_s"},
     {Cause::occluded, "something hid it until too late", "not unoccluded_s <= last_chance_s"},
@@ -96,6 +97,7 @@ Cause collision_cause(const Facts& facts, bool is_watched) {
       facts.tracking_error_m > facts.commanded_clearance_m) {
     return Cause::tracking;
   }
+  if (facts.sight_input_count == 0.0) return Cause::blind;
   if (!in_time(facts.in_cone_s)) return Cause::out_of_view;
   if (!in_time(facts.unoccluded_s)) return Cause::occluded;
   if (!in_time(facts.in_range_s)) return Cause::too_late_for_speed;

@@ -15,6 +15,7 @@ namespace avoidbench {
 enum class Cause {
   moved_into,
   tracking,
+  blind,
   out_of_view,
   occluded,
   too_late_for_speed,
@@ -40,6 +41,7 @@ struct EnumText<Cause> {
   static constexpr std::pair<Cause, std::string_view> entries[] = {
       {Cause::moved_into, "moved_into"},
       {Cause::tracking, "tracking"},
+      {Cause::blind, "blind"},
       {Cause::out_of_view, "out_of_view"},
       {Cause::occluded, "occluded"},
       {Cause::too_late_for_speed, "too_late_for_speed"},
@@ -70,7 +72,7 @@ struct CauseDef {
 std::span<const CauseDef> cause_table();
 
 /// A stored explanation is told anew where the rules have changed since.
-inline constexpr int kCauseRulesVersion = 4;
+inline constexpr int kCauseRulesVersion = 5;
 
 /// What was measured of a failed flight; NaN where it has no meaning for this one, or never was.
 /// Times are of the flight. "Patch": the surface within 0.25 m of where the body touched it.
@@ -87,6 +89,7 @@ struct Facts {
   double in_cone_s = kNone, unoccluded_s = kNone, in_range_s = kNone, sensed_s = kNone,
          mapped_s = kNone;
   double seen_way_m = kNone, seen_need_m = kNone;
+  double sight_input_count = kNone;
   double depth_image_count = kNone, sweep_count = kNone;
   double sensed_image_count = kNone, longest_gap_s = kNone;
   double lately_s = kNone, sensed_lately_count = kNone;
@@ -130,6 +133,10 @@ void visit(Visitor& v, Spec& s) {
   v.field("mapped_s", s.mapped_s, "Time from which the planner's map had it as occupied, s.");
   v.field("seen_way_m", s.seen_way_m, "Way left to the contact at in_range_s, m.");
   v.field("seen_need_m", s.seen_need_m, "Way that reacting and braking needed then, m.");
+  v.field(
+      "sight_input_count", s.sight_input_count,
+      "Inputs that the planner declares and that can show an obstacle: depth, pictures, points, "
+      "tracks, the map.");
   v.field("depth_image_count", s.depth_image_count,
           "Depth images and sweeps of lidars that the planner was shown.");
   v.field("sweep_count", s.sweep_count, "The sweeps among them.");

@@ -1,6 +1,7 @@
 #include "explain/collision_cause.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "base/ticks.hpp"
@@ -17,6 +18,9 @@ namespace {
 /// "Lately": so many exposures. Far off, an image has much else at about the patch's depth.
 constexpr std::size_t kLately = 15;
 constexpr double kTrackingWindow_s = 2.0;
+/// What can show a planner an obstacle.
+constexpr std::uint32_t kShowingInputs = AB_INPUT_DEPTH | AB_INPUT_STEREO | AB_INPUT_COLOR |
+                                         AB_INPUT_POINTS | AB_INPUT_TRACKS | AB_INPUT_WORLD;
 
 /// From light to command.
 double reaction_s(const FailedFlight& flight) {
@@ -239,6 +243,8 @@ CauseFound collision_explained(const FailedFlight& flight, const StruckPatch& pa
   facts.contact_speed_mps = flight.record.collisions.back().speed_mps;
   facts.wind_mps = wind_at_contact_mps(flight, patch.contact_s);
   add_last_chance(flight, facts);
+  facts.sight_input_count =
+      static_cast<double>(std::popcount(needs_of(flight.spec.planner) & kShowingInputs));
   add_sight(flight, patch, watch, facts);
   if (watch != nullptr) add_knowledge(*watch, facts);
   facts.no_plan_share = no_plan_share(flight.record.plan_calls, facts.last_chance_s);

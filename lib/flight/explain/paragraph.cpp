@@ -30,7 +30,9 @@ std::string sight_sentences(const Facts& f) {
             " of way were left and reacting and braking needed " + meters(f.seen_need_m);
   }
   text += ". ";
-  if (f.depth_image_count == 0.0) {
+  if (f.sight_input_count == 0.0) {
+    text += "The planner takes no input that could show it. ";
+  } else if (f.depth_image_count == 0.0) {
     text += "The planner was shown neither depth nor sweeps. ";
   } else if (!std::isnan(f.depth_image_count)) {
     text += "Of " + fixed_digits(f.depth_image_count, 0) + " " + views(f) + " " +

@@ -5,6 +5,7 @@
 #include <initializer_list>
 
 #include "base/number_text.hpp"
+#include "base/words.hpp"
 
 namespace avoidbench {
 namespace {
@@ -58,11 +59,11 @@ std::string turn_problem(const ab_point& from, const ab_point& to) {
 }
 
 std::string trajectory_problem(const ab_command& command) {
-  const std::string count = std::to_string(command.point_count);
-  if (command.point_count < 2) return "a trajectory of " + count + " points; it needs at least 2";
+  const std::string count = counted(command.point_count, "point");
+  if (command.point_count < 2) return "a trajectory of " + count + "; it needs at least 2";
   if (command.point_count > kMostTrajectoryPoints) {
-    return "a trajectory of " + count + " points; at most " +
-           std::to_string(kMostTrajectoryPoints) + " are read";
+    return "a trajectory of " + count + "; at most " + std::to_string(kMostTrajectoryPoints) +
+           " are read";
   }
   if (command.points == nullptr) return "a trajectory whose points are null";
   for (std::uint32_t i = 0; i < command.point_count; ++i) {

@@ -177,4 +177,12 @@ std::string function_at(const std::filesystem::path& file, std::uint64_t address
   return best + offset;
 }
 
+std::uint64_t address_of(const std::filesystem::path& file, std::string_view symbol) {
+  std::uint64_t address = 0;
+  visit_symbols(file, SHT_DYNSYM, [&](const Elf64_Sym& one, const std::string& name) {
+    if (one.st_shndx != SHN_UNDEF && name == symbol) address = one.st_value;
+  });
+  return address;
+}
+
 }  // namespace avoidbench

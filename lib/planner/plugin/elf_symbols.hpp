@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace avoidbench {
@@ -30,5 +31,9 @@ std::vector<std::string> needed_libraries(const std::filesystem::path& file);
 /// loaded, as "mangled_name+0x1b"; also of functions that it keeps to itself. "" where the file
 /// says nothing of it (stripped) or is damaged.
 std::string function_at(const std::filesystem::path& file, std::uint64_t address);
+
+/// The address of what the library at `file` defines for others by this mangled name, relative to
+/// where the library is loaded; 0 where there is none.
+std::uint64_t address_of(const std::filesystem::path& file, std::string_view symbol);
 
 }  // namespace avoidbench

@@ -132,6 +132,7 @@ std::string failure_text(const IsolatedEnd& end) {
 }
 
 Answer asked(const PlannerSource& source, double limit_s) {
+  find_python(source);
   const IsolatedEnd end =
       run_isolated([&](IsolatedOutput& output) { describe(source, output); }, limit_s);
   if (!end.problem.empty()) return {std::nullopt, {failure_text(end)}};

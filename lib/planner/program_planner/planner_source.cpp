@@ -14,11 +14,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kPythonVariable = "AVOIDBENCH_PLANNER_PYTHON";
+
+std::mutex python_mutex;
+
+/// Found by this process or the one that started it; "" before. Under the mutex.
+std::string& known_python() {
+  const char* given = std::getenv(kPythonVariable);
+  static std::string python = given != nullptr ? given : "";
+  return python;
+}
+
 /// Looked for once: to ask a Python what it has takes some 30 ms.
 const std::string& python_of_planners() {
-  static std::mutex mutex;
-  static std::string python;
-  const std::lock_guard lock(mutex);
+  const std::lock_guard lock(python_mutex);
+  std::string& python = known_python();
   constexpr const char* kPurpose = "a planner in Python needs";
   try {
     if (python.empty()) python = python_with({"numpy"}, kPurpose);
@@ -27,6 +37,10 @@ const std::string& python_of_planners() {
     python = python_with({"numpy"}, kPurpose);
   }
   return python;
+}
+
+bool is_for_python(const PlannerSource& source) {
+  return source.command.empty() && source.file.extension() == ".py";
 }
 
 bool may_be_executed(const fs::path& file) {
@@ -95,10 +109,10 @@ bool can_be_started(const fs::path& file) {
 
 std::vector<std::string> words_to_start(const PlannerSource& source) {
   const std::string file = fs::absolute(source.file).lexically_normal().string();
-  if (source.command.empty()) {
-    if (source.file.extension() != ".py") return {file};
+  if (is_for_python(source)) {
     return {program_named(python_of_planners(), "."), "-m", "avoidbench.serving", file};
   }
+  if (source.command.empty()) return {file};
   std::vector<std::string> words = source.command;
   for (std::string& word : words) {
     if (word == kFileWord) word = file;
@@ -106,6 +120,20 @@ std::vector<std::string> words_to_start(const PlannerSource& source) {
   // From the file's folder, where source_of_command() has written it from.
   words.front() = program_named(words.front(), fs::path(file).parent_path());
   return words;
+}
+
+void find_python(const PlannerSource& source) {
+  try {
+    if (is_for_python(source)) python_of_planners();
+  } catch (const InputError&) {
+    // Told where the planner is started.
+  }
+}
+
+std::string python_variable() {
+  const std::lock_guard lock(python_mutex);
+  const std::string& python = known_python();
+  return python.empty() ? "" : std::string(kPythonVariable) + "=" + python;
 }
 
 std::vector<std::string> environment_to_start() {

@@ -40,6 +40,15 @@ bool can_be_started(const std::filesystem::path& file);
 /// command's program is not found.
 std::vector<std::string> words_to_start(const PlannerSource& source);
 
+/// Looks for the Python of planners, if this one is for Python, so that processes that this one
+/// forks, or starts with python_variable(), need not: a process that is killed while it looks
+/// leaves behind what looks for it. Where there is none, words_to_start() says so.
+void find_python(const PlannerSource& source);
+
+/// "AVOIDBENCH_PLANNER_PYTHON=python3", for the environment of processes that start planners; ""
+/// where none was looked for.
+std::string python_variable();
+
 /// What it is started with: this process's variables and those of the client.
 std::vector<std::string> environment_to_start();
 

@@ -156,7 +156,7 @@ std::string junit_text(const ExactComparison& comparison) {
                         difference->after;
       }
       const std::size_t count = found[{planner, name}].size();
-      if (count > 0) test.failure = name + " differs in " + std::to_string(count) + " trials";
+      if (count > 0) test.failure = name + " differs in " + counted(count, "trial");
     }
   }
   return junit_of("avoidbench compare, exact, " + comparison.new_sweep, cases);

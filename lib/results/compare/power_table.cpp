@@ -66,10 +66,9 @@ Table needed_table(const PowerQuestion& question, double lower_rate, double disc
 
 /// The other direction: what a number of trials that one can afford tells.
 Table found_table(const PowerQuestion& question, double lower_rate) {
-  Table table =
-      make_table("found", "With " + std::to_string(*question.trials) + " trials per planner",
-                 {{.name = "measure", .place = Place::key},
-                  {.name = "value", .decimals = 3, .has_interval = true}});
+  Table table = make_table("found", "With " + counted(*question.trials, "trial") + " per planner",
+                           {{.name = "measure", .place = Place::key},
+                            {.name = "value", .decimals = 3, .has_interval = true}});
   const double power =
       two_rates_power_exact(question.success_rate, lower_rate, *question.trials, question.alpha);
   table.rows.push_back(make_row("power of Fisher's exact test", power, Cell{}, Cell{}));

@@ -93,7 +93,7 @@ Section prediction_section(const std::vector<PlannerModel>& models, const MapQue
        {.name = "predicted_success_rate",
         .header = "predicted SR",
         .doc = "of missions on a map like this one; the interval is for the share of " +
-               std::to_string(question.lengths_m.size()) + " missions that succeed on " + percent +
+               counted(question.lengths_m.size(), "mission") + " that would succeed on " + percent +
                " of such maps",
         .decimals = 3,
         .has_interval = true},

@@ -46,7 +46,7 @@ void warn_of_few_trials(const SweepSummary& summary, Warnings& warnings) {
   }
   if (few_cells > 0) {
     warnings.push_back("fewer than 10 trials in " + std::to_string(few_cells) + " of " +
-                       std::to_string(cells) + " cells of planner and group");
+                       counted(cells, "cell") + " of planner and group");
   }
 }
 
@@ -180,8 +180,8 @@ std::int64_t warn_of_stops(const SweepSummary& summary, const SweepResult& resul
     left_out += asked_a_planner - planner.trial_count;
     warnings.push_back(summary.planners[planner.planner] + " stopped after " +
                        std::to_string(mission_count_of(result, label)) + " of " +
-                       std::to_string(spec.value("trials", std::int64_t{0})) +
-                       " missions per map, as the sweep's rule says (until " + text + ")");
+                       counted(spec.value("trials", std::int64_t{0}), "mission") +
+                       " per map, as the sweep's rule says (until " + text + ")");
   }
   return left_out;
 }

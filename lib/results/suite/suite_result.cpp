@@ -272,7 +272,7 @@ std::string rows_problem(const SuiteSpec& suite, const SuiteResult& result) {
   }
   const auto expected = static_cast<std::size_t>(mission_count(suite, result.split));
   if (seen.size() == expected) return "";
-  return std::to_string(seen.size()) + " trials, expected " + std::to_string(expected);
+  return counted(seen.size(), "trial") + ", expected " + std::to_string(expected);
 }
 
 std::int64_t mission_count(const SuiteSpec& suite, Split split) {
