@@ -44,7 +44,7 @@ struct JobEnd {
   std::optional<Death> death = {};  ///< its worker's, with how far the flight had come
   std::string killed_by = {};       ///< by somebody else each time: "signal 9 (Killed)"
   std::string printed = {};  ///< by the worker, bounded: see PrintTrimmer; of a lookout's job
-  CrashStack stack = {};            ///< where it died
+  CrashStack stack = {};     ///< where it died
 };
 
 /// How jobs are done several at once.
