@@ -9,8 +9,10 @@ function(avoidbench_planner name)
   if(TARGET avoidbench_flags)
     target_link_libraries(${name} PRIVATE avoidbench_flags)
   else()
-    # A planner's arithmetic must not depend on the processor either. -g1: a crash report names lines.
-    target_compile_options(${name} PRIVATE -ffp-contract=off $<$<NOT:$<CONFIG:Debug,RelWithDebInfo>>:-g1>)
+    # A planner's arithmetic must not depend on the processor either. -g1: a crash report names lines, relative to the
+    # planner's folder, so that the library's digest does not depend on where it was built.
+    target_compile_options(${name} PRIVATE -ffp-contract=off $<$<NOT:$<CONFIG:Debug,RelWithDebInfo>>:-g1>
+      "-ffile-prefix-map=${CMAKE_CURRENT_SOURCE_DIR}/=" "-ffile-prefix-map=${CMAKE_CURRENT_BINARY_DIR}=.")
   endif()
   target_link_libraries(${name} PRIVATE avoidbench::planner_api ${PLANNER_PRIVATE})
   set_target_properties(${name} PROPERTIES PREFIX "" SUFFIX ".so"
