@@ -10,11 +10,13 @@ import pytest
 from avoidbench.env import AvoidbenchVectorEnv
 from flights import ONE, SMALL, to_goal
 
-pytest.importorskip("stable_baselines3")
-
-from avoidbench.sb3 import Sb3VecEnv  # noqa: E402
-from stable_baselines3 import PPO  # noqa: E402
-from stable_baselines3.common.vec_env import VecEnv, VecMonitor, VecNormalize  # noqa: E402
+# importorskip() would leave a file without tests, which pytest reports as a failure.
+try:
+    from avoidbench.sb3 import Sb3VecEnv
+    from stable_baselines3 import PPO
+    from stable_baselines3.common.vec_env import VecEnv, VecMonitor, VecNormalize
+except ImportError:
+    pytestmark = pytest.mark.skip("Stable-Baselines3 is not installed")
 
 SAME: dict[str, Any] = {"threads": 1, "autoreset_mode": "SameStep"}
 

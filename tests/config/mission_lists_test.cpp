@@ -198,7 +198,7 @@ TEST_F(MissionLists, ProblemsOfATableHaveTheirPlace) {
        "missions.csv:3:6: start_z_m: expected a number, found \"3m\""},
       {kColumns + "\"a,1,2,3,4,5,6,\n",
        "missions.csv:2:1: a quote is not closed\n"
-       "missions.csv:2:1: 1 fields, but 8 columns"},
+       "missions.csv:2:1: 1 field, but 8 columns"},
       {"start_x_m,start_y_m,start_z_m,goal_x_m,goal_y_m\n",
        "missions.csv:1:1: lacks the column 'goal_z_m'"},
       {"start_x_m,start_y_m,start_z_m,goal_x_m,goal_y_m,goal_z_m,goal2_x_m\n",

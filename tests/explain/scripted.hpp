@@ -55,6 +55,7 @@ template <class Planner>
 TrialSpec spec_of() {
   table = &detail::Table<Planner>::value;
   TrialSpec spec;
+  spec.planner.needs = Planner::needs;
   spec.sensor.width_px = 160;
   spec.sensor.height_px = 120;
   spec.mission.time_limit_s = 20.0;
