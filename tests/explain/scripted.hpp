@@ -55,7 +55,6 @@ template <class Planner>
 TrialSpec spec_of() {
   table = &detail::Table<Planner>::value;
   TrialSpec spec;
-  spec.planner.needs = Planner::needs;
   spec.sensor.width_px = 160;
   spec.sensor.height_px = 120;
   spec.mission.time_limit_s = 20.0;
@@ -86,7 +85,7 @@ inline Told fly_and_explain(const TrialSpec& spec, const World& world, const Mis
   const std::optional<World> with_movers = world_with_movers(spec, scene, mission);
   const World& flown = with_movers ? *with_movers : world;
   const auto patch = struck_patch(flown, told.record);
-  const FailedFlight flight{spec, flown, mission, told.record, reference_length_m};
+  const FailedFlight flight{spec, flown, mission, told.record, reference_length_m, table->needs};
   if (!needs_watch(told.record) || !patch) {
     told.explanation = explained(flight, nullptr, nullptr);
     return told;

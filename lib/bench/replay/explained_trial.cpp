@@ -11,13 +11,25 @@
 namespace avoidbench {
 namespace {
 
-/// What the lookout needs: the flight as it is stored.
-LookoutJob cause_wanted(const StoredTrial& stored, bool has_flight) {
+// A job's spec does not hold it: it follows from the planner's file, which a worker may not have.
+constexpr const char* kPlannerNeeds = "planner_needs";
+
+/// What the lookout needs: the flight as it is stored, and where it is flown again what its planner
+/// declares.
+LookoutJob cause_wanted(const StoredTrial& stored, std::optional<std::uint32_t> planner_needs) {
   constexpr std::size_t kMostBytes = 1U << 20U;
+  Message wanted = record_message(stored.row.record);
+  if (planner_needs) wanted.json[kPlannerNeeds] = *planner_needs;
   return {.kind = kCauseLookout,
-          .wanted = record_message(stored.row.record),
+          .wanted = std::move(wanted),
           .most_bytes = kMostBytes,
-          .has_flight = has_flight};
+          .has_flight = planner_needs.has_value()};
+}
+
+std::optional<std::uint32_t> planner_needs_of(const LookoutJob& job) {
+  const auto needs = job.wanted.json.find(kPlannerNeeds);
+  if (needs == job.wanted.json.end()) return std::nullopt;
+  return needs->get<std::uint32_t>();
 }
 
 /// A flight as it is stored, and who watches it flown again; it stays at its address.
@@ -27,6 +39,7 @@ struct WatchedFlight {
         mission(*job.mission),
         world(flown_world),
         record(record_from(job.lookout->wanted)),
+        planner_needs(planner_needs_of(*job.lookout)),
         patch(struck_patch(world, record)) {
     if (job.lookout->has_flight && patch) watch.emplace(spec, record.samples, *patch);
   }
@@ -41,7 +54,8 @@ struct WatchedFlight {
                                         .world = world,
                                         .mission = mission.mission,
                                         .record = record,
-                                        .reference_length_m = mission.reference_length_m},
+                                        .reference_length_m = mission.reference_length_m,
+                                        .planner_needs = planner_needs},
                                        patch ? &*patch : nullptr, is_watched ? &*watch : nullptr);
     nlohmann::json told{{"cause", std::string(text(cause.cause))},
                         {"facts", facts_json(cause.facts)}};
@@ -53,6 +67,7 @@ struct WatchedFlight {
   const MissionRecord& mission;
   const World& world;
   TrialRecord record;
+  std::optional<std::uint32_t> planner_needs;
   std::optional<StruckPatch> patch;
   std::optional<FlightWatch> watch;
 };
@@ -96,7 +111,7 @@ CauseJob cause_job(StoredTrial stored, ReplayPlanners& planners) {
   CauseJob cause{.job = std::move(flight.job),
                  .stored = std::move(flight.stored),
                  .notes = std::move(flight.warnings)};
-  cause.job.job.lookout = cause_wanted(cause.stored, true);
+  cause.job.job.lookout = cause_wanted(cause.stored, needs_of(cause.job.job.spec.planner));
   return cause;
 }
 
@@ -106,7 +121,7 @@ CauseJob cause_job_without_flight(StoredTrial stored, const ReplayFiles& files) 
   job.token = make_token();
   job.spec = cause.stored.spec;
   job.mission = mission_of(cause.stored);
-  job.lookout = cause_wanted(cause.stored, false);
+  job.lookout = cause_wanted(cause.stored, std::nullopt);
   return cause;
 }
 

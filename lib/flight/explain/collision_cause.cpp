@@ -243,8 +243,10 @@ CauseFound collision_explained(const FailedFlight& flight, const StruckPatch& pa
   facts.contact_speed_mps = flight.record.collisions.back().speed_mps;
   facts.wind_mps = wind_at_contact_mps(flight, patch.contact_s);
   add_last_chance(flight, facts);
-  facts.sight_input_count =
-      static_cast<double>(std::popcount(needs_of(flight.spec.planner) & kShowingInputs));
+  if (flight.planner_needs) {
+    facts.sight_input_count =
+        static_cast<double>(std::popcount(*flight.planner_needs & kShowingInputs));
+  }
   add_sight(flight, patch, watch, facts);
   if (watch != nullptr) add_knowledge(*watch, facts);
   facts.no_plan_share = no_plan_share(flight.record.plan_calls, facts.last_chance_s);

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
+
 #include "explain/causes.hpp"
 #include "explain/flight_watch.hpp"
 #include "explain/struck_patch.hpp"
@@ -17,6 +20,8 @@ struct FailedFlight {
   const Mission& mission;
   const TrialRecord& record;
   double reference_length_m;  ///< of the shortest path
+  /// AB_… bits that the planner and its filter declare; none: they can't be loaded.
+  std::optional<std::uint32_t> planner_needs = {};
 };
 
 /// Whether its cause can only be told from the flight flown again, watched by a FlightWatch.
