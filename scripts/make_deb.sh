@@ -7,7 +7,7 @@ cd "$(dirname "$0")/.."
 folder=${1:-build/packages}
 scripts/install_packages.sh deb >&2
 export CCACHE_NOHASHDIR=1 CCACHE_BASEDIR=$PWD
-cmake --preset release -B build/deb -DAVOIDBENCH_TESTS=OFF -DAVOIDBENCH_BENCH=OFF -DAVOIDBENCH_UNITY=ON >/dev/null
+cmake --preset release -B build/deb -DAVOIDBENCH_TESTS=OFF -DAVOIDBENCH_BENCH=OFF -DAVOIDBENCH_WERROR=OFF -DAVOIDBENCH_UNITY=ON >/dev/null
 cmake --build build/deb --parallel "${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}" >&2
 mkdir -p "$folder"
 folder=$(realpath "$folder")

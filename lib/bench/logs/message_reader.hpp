@@ -47,8 +47,7 @@ class MessageReader {
   T number() {
     align(sizeof(T));
     char bytes[sizeof(T)];
-    const std::string_view taken = take(sizeof(T));
-    std::copy(taken.begin(), taken.end(), bytes);
+    std::memcpy(bytes, take(sizeof(T)).data(), sizeof(T));
     if (is_big_endian_) std::reverse(bytes, bytes + sizeof(T));
     T value;
     std::memcpy(&value, bytes, sizeof(T));
