@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# make_wheel.sh [FOLDER]: makes a wheel in FOLDER (build/wheels) for the Python of build/venv; from Python 3.12 on, for all
-# later ones too. It contains the program, its planners, its data, the extension and every library that they link to,
-# except the C and C++ libraries: it runs where these are no older than here. Prints the wheel's path last.
+# make_wheel.sh [FOLDER]: makes a wheel in FOLDER (build/wheels) for the Python of build/venv and no other (PYTHON=PROGRAM
+# chooses it, see python_venv.sh). It contains the program, its planners, its data, the extension and every library that
+# they link to, except the C and C++ libraries: it runs where these are no older than here. Prints the wheel's path last.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
