@@ -171,7 +171,6 @@ void add_grade_command(CLI::App& app) {
   options.suite.track = "avoidbench-1/depth";
   options.suite.folder = "grades";
   options.suite.split = "dev";
-  options.suite.run.plan_timeout_s = 1.0;
   options.suite.run.trial_timeout_s = 300.0;
   add_typed(command, "folder", options.submissions, "SUBMISSIONS",
             "Folder of submissions: each a .py, a .so, or a folder with one")
