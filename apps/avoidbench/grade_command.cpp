@@ -172,7 +172,7 @@ void add_grade_command(CLI::App& app) {
   options.suite.folder = "grades";
   options.suite.split = "dev";
   options.suite.run.trial_timeout_s = 300.0;
-  add_typed(command, "folder", options.submissions, "SUBMISSIONS",
+  add_typed(command, "submissions", options.submissions, "SUBMISSIONS",
             "Folder of submissions: each a .py, a .so, or a folder with one")
       ->required();
   add_typed(command, "--suite", options.suite.track, "SUITE/TRACK",
