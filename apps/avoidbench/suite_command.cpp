@@ -59,6 +59,7 @@ void check_suite(const CheckOptions& options) {
         if (!problem.empty()) problems.push_back(problem);
       }
     }
+    std::cerr << counted(map_count, "map") << ", " << cell.name << " done\n";
   }
   std::vector<std::string> cells;
   for (const SuiteCell& cell : chosen.suite.cells) cells.push_back(cell.name);
