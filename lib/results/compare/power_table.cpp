@@ -60,7 +60,7 @@ Table needed_table(const PowerQuestion& question, double lower_rate, double disc
       paired_rates_trials(rate, -question.detect, discordance, question.power, question.alpha));
   add("95 % interval of one rate of ± half the loss",
       wilson_width_trials(rate, 0.5 * question.detect));
-  add("± the loss whatever the rate (Hoeffding, 95 %)", hoeffding_trials(question.detect, 0.95));
+  add("± the loss at any rate (Hoeffding, 95 %)", hoeffding_trials(question.detect, 0.95));
   return table;
 }
 
