@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""paper_claims.py DB…: AvoidBench's claims about its planners, held against databases of the paper's experiment.
+"""paper_claims.py DB[:MISSIONS]…: AvoidBench's claims about its planners, held against databases of the paper's experiment,
+or against the first MISSIONS of each map: of a sweep that is being flown, the trials so far are of some maps more than others.
 
 Prints the Markdown tables of docs/results.md. Each number is from `avoidbench report`, with its 95 % interval. The
 verdict follows from the interval alone: `yes` where all of it agrees with the claim, `no` where none of it does, `?`
@@ -21,7 +22,10 @@ RIVALS = ("ego", "mbplanner", "agile")
 
 def report(database):
     program = os.environ.get("AVOIDBENCH", "avoidbench")
+    database, _, missions = database.partition(":")
     command = [program, "report", database, "--format", "json"]
+    if missions:
+        command += ["--where", f"mission_index < {missions}"]
     return json.loads(subprocess.run(command, capture_output=True, check=True).stdout)[0]
 
 
@@ -97,7 +101,8 @@ def extreme(metric, planner, is_greatest, digits):
             if name == planner:
                 continue
             _, own_lower, own_upper = numbers[planner]
-            is_above, is_below = own_lower > upper, own_upper < lower
+            is_known = None not in (lower, upper, own_lower, own_upper)
+            is_above, is_below = is_known and own_lower > upper, is_known and own_upper < lower
             verdicts.append("?" if not (is_above or is_below) else "yes" if is_above == is_greatest else "no")
         text = "; ".join(f"{name} {shown(*number, digits)}" for name, number in numbers.items())
         return text, joined(verdicts)
