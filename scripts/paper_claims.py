@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""paper_claims.py DB[:MISSIONS]…: AvoidBench's claims about its planners, held against databases of the paper's experiment,
-or against the first MISSIONS of each map: of a sweep that is being flown, the trials so far are of some maps more than others.
+"""paper_claims.py DB[:MISSIONS]…: AvoidBench's claims about its planners, held against databases of the paper's sweeps.
+
+With MISSIONS only the first of each map count: an unfinished sweep has more trials of some maps than of others.
 
 Prints the Markdown tables of docs/results.md. Each number is from `avoidbench report`, with its 95 % interval. The
 verdict follows from the interval alone: `yes` where all of it agrees with the claim, `no` where none of it does, `?`
