@@ -13,9 +13,8 @@ struct DepthKernel;  // depth_kernel.hpp
 /// The depth image seen from `T_world_camera`: for each pixel, distance along camera z to the
 /// nearest surface, metres. `depth_m` is height × width, row-major, filled whole; +inf where
 /// nothing is hit within `camera.max_range_m`, NaN where it is nearer than `camera.min_range_m`.
-/// The pixel's ray goes through its centre; the first pixel's centre is (0, 0). Noise-free. Embree
-/// finds the triangle; the depth itself is computed from that triangle's plane in IEEE arithmetic,
-/// so that it does not depend on the processor's approximate reciprocals.
+/// The pixel's ray goes through its centre; the first pixel's centre is (0, 0). Noise-free. The
+/// same bits on every processor (tracing.hpp).
 void render_depth(const Scene& scene, const Pinhole& camera, const Pose& T_world_camera,
                   std::span<float> depth_m);
 

@@ -5,7 +5,7 @@
 
 #include "render/triangle_plane.hpp"
 
-/// Exact depths of the triangles that Embree says were hit, a register of rays at a time. One
+/// Exact depths of the triangles that rays have met, a register of rays at a time. One
 /// source (lane_depth.hpp), compiled for any x86-64 and for AVX2; both give the same bits. Plain
 /// data here, and nothing that would bring the standard library's or Eigen's inline functions into
 /// a file compiled for AVX2.
@@ -14,9 +14,9 @@ namespace avoidbench {
 inline constexpr int kPacketColumns = 4, kPacketRows = 2;  ///< pixels
 inline constexpr int kDepthPackets = 4;                    ///< one below the other
 
-/// Where Embree leaves what the rays of one packet have hit: eight numbers each, 32-byte aligned.
+/// What the rays of one packet have met: eight numbers each, 32-byte aligned.
 struct PacketOfHits {
-  const float* embree_depths;       ///< [m]
+  const float* traced_depths;       ///< [m]
   const std::uint32_t* geometries;  ///< ~0: the ray has hit nothing
   const std::uint32_t* instances;
   const std::uint32_t* triangles;

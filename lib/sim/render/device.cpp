@@ -23,8 +23,8 @@ namespace embree {
 namespace {
 
 DeviceHandle new_device() {
-  // One thread, since trials fly one a core. A fixed instruction set, since the last bits of hits
-  // differ between them (DECISIONS, render).
+  // One thread, since trials fly one a core. One instruction set, whose speed is known; hits do not
+  // depend on it (tracing.hpp).
   const std::string settings = "threads=1,isa=" + ray_tracing_isa();
   DeviceHandle handle(rtcNewDevice(settings.c_str()));
   if (handle != nullptr) return handle;

@@ -33,70 +33,74 @@ using GeometryHandle = std::unique_ptr<std::remove_pointer_t<RTCGeometry>, Relea
 /// with AVX2.
 inline constexpr std::size_t kStreamPackets = 4;
 
+/// What callbacks get with each query.
 #if AVOIDBENCH_EMBREE_MAJOR >= 4
-
-inline void intersect(RTCScene scene, RTCRayHit& ray) {
-  RTCIntersectArguments arguments;
-  rtcInitIntersectArguments(&arguments);
-  rtcIntersect1(scene, &ray, &arguments);
-}
-
-inline void occlude(RTCScene scene, RTCRay& ray) {
-  RTCOccludedArguments arguments;
-  rtcInitOccludedArguments(&arguments);
-  rtcOccluded1(scene, &ray, &arguments);
-}
+using QueryContext = RTCRayQueryContext;
+#else
+using QueryContext = RTCIntersectContext;
+#endif
 
 /// Lanes with tfar < tnear are inactive.
-inline void intersect_stream(RTCScene scene, RTCRayHit8 (&packets)[kStreamPackets]) {
+struct ActiveLanes {
+  explicit ActiveLanes(const RTCRay8& rays) {
+    for (int i = 0; i < 8; ++i) valid[i] = rays.tnear[i] <= rays.tfar[i] ? -1 : 0;
+  }
+  alignas(32) int valid[8];
+};
+
+#if AVOIDBENCH_EMBREE_MAJOR >= 4
+
+inline void begin(QueryContext& context) { rtcInitRayQueryContext(&context); }
+
+inline void intersect(RTCScene scene, QueryContext& context, RTCRayHit8& packet) {
   RTCIntersectArguments arguments;
   rtcInitIntersectArguments(&arguments);
+  arguments.context = &context;
   arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
-  for (RTCRayHit8& packet : packets) {
-    alignas(32) int valid[8];
-    for (int i = 0; i < 8; ++i) valid[i] = packet.ray.tnear[i] <= packet.ray.tfar[i] ? -1 : 0;
-    rtcIntersect8(valid, scene, &packet, &arguments);
-  }
+  rtcIntersect8(ActiveLanes(packet.ray).valid, scene, &packet, &arguments);
 }
 
-inline void occlude_stream(RTCScene scene, RTCRay8 (&packets)[kStreamPackets]) {
+inline void occlude(RTCScene scene, QueryContext& context, RTCRay8& packet) {
   RTCOccludedArguments arguments;
   rtcInitOccludedArguments(&arguments);
+  arguments.context = &context;
   arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
-  for (RTCRay8& packet : packets) {
-    alignas(32) int valid[8];
-    for (int i = 0; i < 8; ++i) valid[i] = packet.tnear[i] <= packet.tfar[i] ? -1 : 0;
-    rtcOccluded8(valid, scene, &packet, &arguments);
-  }
+  rtcOccluded8(ActiveLanes(packet).valid, scene, &packet, &arguments);
+}
+
+inline void intersect_stream(RTCScene scene, QueryContext& context,
+                             RTCRayHit8 (&packets)[kStreamPackets]) {
+  for (RTCRayHit8& packet : packets) intersect(scene, context, packet);
+}
+
+inline void occlude_stream(RTCScene scene, QueryContext& context,
+                           RTCRay8 (&packets)[kStreamPackets]) {
+  for (RTCRay8& packet : packets) occlude(scene, context, packet);
 }
 
 #else
 
-inline void intersect(RTCScene scene, RTCRayHit& ray) {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  rtcIntersect1(scene, &context, &ray);
-}
-
-inline void occlude(RTCScene scene, RTCRay& ray) {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  rtcOccluded1(scene, &context, &ray);
-}
-
-/// Lanes with tfar < tnear are inactive.
-inline void intersect_stream(RTCScene scene, RTCRayHit8 (&packets)[kStreamPackets]) {
-  RTCIntersectContext context;
+inline void begin(QueryContext& context) {
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+}
+
+inline void intersect(RTCScene scene, QueryContext& context, RTCRayHit8& packet) {
+  rtcIntersect8(ActiveLanes(packet.ray).valid, scene, &context, &packet);
+}
+
+inline void occlude(RTCScene scene, QueryContext& context, RTCRay8& packet) {
+  rtcOccluded8(ActiveLanes(packet).valid, scene, &context, &packet);
+}
+
+inline void intersect_stream(RTCScene scene, QueryContext& context,
+                             RTCRayHit8 (&packets)[kStreamPackets]) {
   rtcIntersectNM(scene, &context, reinterpret_cast<RTCRayHitN*>(packets), 8, kStreamPackets,
                  sizeof(RTCRayHit8));
 }
 
-inline void occlude_stream(RTCScene scene, RTCRay8 (&packets)[kStreamPackets]) {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+inline void occlude_stream(RTCScene scene, QueryContext& context,
+                           RTCRay8 (&packets)[kStreamPackets]) {
   rtcOccludedNM(scene, &context, reinterpret_cast<RTCRayN*>(packets), 8, kStreamPackets,
                 sizeof(RTCRay8));
 }

@@ -35,12 +35,12 @@ AB_LANE Rays rays_of(const DepthFrame& frame, int index, std::size_t y) {
   const int row = index * kRows;
   const PacketOfHits& packet = frame.packets[row / kPacketRows];
   const int lane = row % kPacketRows * kPacketColumns;
-  return {{packet.embree_depths + lane, packet.geometries + lane, packet.instances + lane,
+  return {{packet.traced_depths + lane, packet.geometries + lane, packet.instances + lane,
            packet.triangles + lane},
           frame.v + y + row};
 }
 
-/// Embree leaves the geometry of a ray that meets nothing at ~0.
+/// The geometry of a ray that meets nothing stays ~0.
 AB_LANE Mask missed(const PacketOfHits& packet) {
   return load<Ints>(packet.geometries) == kNothing;
 }
@@ -84,12 +84,12 @@ AB_LANE Fractions fractions(const DepthFrame& frame, const Facet& facet, const d
           to_floats(denominators(0), denominators(kDoubles))};
 }
 
-/// The plane's depth where it agrees with Embree's own, as settled_distance() has it; at most the
-/// farthest; NaN below the nearest.
-AB_LANE Floats settled(const Fractions& lanes, Floats embree, const DepthFrame& frame) {
+/// The plane's depth where it agrees with that of the traced ray, as settled_distance() has it; at
+/// most the farthest; NaN below the nearest.
+AB_LANE Floats settled(const Fractions& lanes, Floats traced, const DepthFrame& frame) {
   const Floats plane = lanes.numerators / lanes.denominators;
-  const Mask agrees = magnitude(plane - embree) <= 1e-3F * embree;
-  const Floats depth = select(agrees, plane, embree);
+  const Mask agrees = magnitude(plane - traced) <= 1e-3F * traced;
+  const Floats depth = select(agrees, plane, traced);
   const Mask too_near = depth < frame.nearest_m;
   // A NaN of all bits but the sign, as images have had it.
   const auto not_a_number = bits_as<Floats>(all_lanes(0x7fffffffU));
@@ -127,8 +127,8 @@ void read_depths(const DepthFrame& frame, std::size_t x, std::size_t y, const De
         lanes.numerators = select(mask, one.numerators, lanes.numerators);
         lanes.denominators = select(mask, one.denominators, lanes.denominators);
       }
-      const auto embree = load<Floats>(rays.hits.embree_depths);
-      depths = select(nothing, infinite, settled(lanes, embree, frame));
+      const auto traced = load<Floats>(rays.hits.traced_depths);
+      depths = select(nothing, infinite, settled(lanes, traced, frame));
     }
     store_rows(to.depths + at, to.width, depths);
     if (to.instances != nullptr) {

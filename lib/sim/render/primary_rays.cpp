@@ -73,7 +73,7 @@ PrimaryRays::PrimaryRays(const Scene::Internals& scene, const Pinhole& camera,
     for (std::size_t i = 0; i < u_.size(); ++i) {
       // A ray's direction is the sum of its column's part and its row's: two tables instead of a
       // product for each pixel. They are not unit vectors: with z = 1 in the camera's frame,
-      // Embree's distance is the depth.
+      // a distance is the depth.
       columns_[k][i] = static_cast<float>(axes(k, 0) * u_[i]);
     }
     for (std::size_t i = 0; i < v_.size(); ++i) {
@@ -126,12 +126,12 @@ void PrimaryRays::trace(int block_x, int block_y) {
       _mm_store_ps(packet.ray.dir_x + lane, _mm_add_ps(column_x, _mm_set1_ps(rows_[0][y])));
       _mm_store_ps(packet.ray.dir_y + lane, _mm_add_ps(column_y, _mm_set1_ps(rows_[1][y])));
       _mm_store_ps(packet.ray.dir_z + lane, _mm_add_ps(column_z, _mm_set1_ps(rows_[2][y])));
-      // Embree writes over length and hit: both are set again for each block.
+      // Tracing writes over length and hit: both are set again for each block.
       _mm_store_ps(packet.ray.tfar + lane, range);
       _mm_store_si128(reinterpret_cast<__m128i*>(packet.hit.geomID + lane), nothing);
     }
   }
-  embree::intersect_stream(scene_.map->top.get(), packets_);
+  avoidbench::trace(scene_.map->top.get(), scene_.placements.data(), packets_);
   if (mover_blocks_.empty()) return;
   const auto across = static_cast<std::size_t>(blocks_across());
   const std::size_t block =
@@ -158,7 +158,7 @@ void PrimaryRays::find_mover_blocks(const Pose& T_world_camera) {
 
 /// Rays end where they have met the map: what is met now is nearer.
 void PrimaryRays::trace_movers() {
-  embree::intersect_stream(scene_.movers.top.get(), packets_);
+  avoidbench::trace(scene_.movers.top.get(), scene_.placements.data(), packets_);
   if (!scene_.map->flattened) return;
   // instances() reads one list: that of a flattened map's.
   for (RTCRayHit8& packet : packets_) {

@@ -61,8 +61,7 @@ void set_rays(RTCRayHit8& packet, const Ray* rays, std::size_t count, float limi
   std::fill_n(packet.hit.geomID, kPacket, RTC_INVALID_GEOMETRY_ID);
 }
 
-/// Embree names the triangle; the distance is that to its plane in double, which no instruction
-/// set changes.
+/// The distance is that of the ray in double, which was traced rounded to float.
 void read_hit(const Scene::Internals& scene, const RTCRayHit8& packet, std::size_t lane,
               const Ray& ray, double limit_m, RayHit& hit) {
   if (packet.hit.geomID[lane] == RTC_INVALID_GEOMETRY_ID) {
@@ -88,8 +87,8 @@ void read_hit(const Scene::Internals& scene, const RTCRayHit8& packet, std::size
     hit.normal_world = placement.linear_world_prototype * normal / placement.scale;
   }
   const double to_plane_m = (plane.offset - to_origin) / along_normal;
-  const auto by_embree_m = static_cast<double>(packet.ray.tfar[lane]);
-  const double distance_m = settled_distance(to_plane_m, by_embree_m);
+  const auto traced_m = static_cast<double>(packet.ray.tfar[lane]);
+  const double distance_m = settled_distance(to_plane_m, traced_m);
   hit.distance_m = std::min(distance_m, limit_m);
 }
 
@@ -109,9 +108,10 @@ void first_hits(const Scene& scene, std::span<const Ray> rays, double limit_m,
       const std::size_t done = std::min(i * kPacket, count);
       set_rays(packets[i], rays.data() + first + done, std::min(kPacket, count - done), far_m);
     }
-    embree::intersect_stream(internals.map->top.get(), packets);
+    const Placement* placements = internals.placements.data();
+    trace(internals.map->top.get(), placements, packets);
     // Rays end where they have met the map: what is met now is nearer.
-    if (internals.has_movers()) embree::intersect_stream(internals.movers.top.get(), packets);
+    if (internals.has_movers()) trace(internals.movers.top.get(), placements, packets);
     for (std::size_t i = 0; i < count; ++i) {
       read_hit(internals, packets[i / kPacket], i % kPacket, rays[first + i], limit_m,
                hits[first + i]);

@@ -11,18 +11,18 @@ namespace {
 
 using Eigen::Vector3d;
 
-RTCRay make_ray(const Vector3d& origin, const Vector3d& direction, double limit) {
-  RTCRay ray{};
-  ray.org_x = static_cast<float>(origin.x());
-  ray.org_y = static_cast<float>(origin.y());
-  ray.org_z = static_cast<float>(origin.z());
-  ray.dir_x = static_cast<float>(direction.x());
-  ray.dir_y = static_cast<float>(direction.y());
-  ray.dir_z = static_cast<float>(direction.z());
-  ray.tnear = 0.0F;
-  ray.tfar = static_cast<float>(limit);
-  ray.mask = ~0U;
-  return ray;
+/// The first lane of a packet; all others are inactive.
+void set_only_ray(RTCRay8& packet, const Vector3d& origin, const Vector3d& direction,
+                  double limit) {
+  std::fill_n(packet.tfar, 8, -1.0F);
+  packet.org_x[0] = static_cast<float>(origin.x());
+  packet.org_y[0] = static_cast<float>(origin.y());
+  packet.org_z[0] = static_cast<float>(origin.z());
+  packet.dir_x[0] = static_cast<float>(direction.x());
+  packet.dir_y[0] = static_cast<float>(direction.y());
+  packet.dir_z[0] = static_cast<float>(direction.z());
+  packet.tfar[0] = static_cast<float>(limit);
+  packet.mask[0] = ~0U;
 }
 
 /// Where the ray meets the triangle's plane, from the world-space triangle that all exact queries
@@ -57,41 +57,39 @@ RayHit Scene::first_hit(const Vector3d& origin_world, const Vector3d& direction_
   const double length = direction_world.norm();
   AB_CHECK(length > 0.0 && origin_world.allFinite(), direction_world.transpose());
   const Vector3d direction = direction_world / length;
-  RTCRayHit ray{};
-  ray.ray = make_ray(origin_world, direction, limit_m);
-  ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  RTCRayHit8 packet{};
+  set_only_ray(packet.ray, origin_world, direction, limit_m);
+  packet.hit.geomID[0] = RTC_INVALID_GEOMETRY_ID;
   const Internals& scene = internals();
   {
     const ScopedFlushToZero flush;
-    embree::intersect(scene.map->top.get(), ray);
-    // Embree shortened the ray to what it has hit: of the movers, nearer ones take its place.
-    if (scene.has_movers()) embree::intersect(scene.movers.top.get(), ray);
+    trace(scene.map->top.get(), scene.placements.data(), packet);
+    // The ray ends at what it has met: of the movers, nearer ones take its place.
+    if (scene.has_movers()) trace(scene.movers.top.get(), scene.placements.data(), packet);
   }
   RayHit hit;
-  if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return hit;
-  hit.instance = instance_of(ray.hit);
-  hit.triangle = ray.hit.primID;
-  // Embree only names the triangle. The distance is that to its plane in double, which no
-  // instruction set changes.
+  if (packet.hit.geomID[0] == RTC_INVALID_GEOMETRY_ID) return hit;
+  hit.instance = instance_of(packet.hit.instID[0][0], packet.hit.geomID[0]);
+  hit.triangle = packet.hit.primID[0];
+  // Of the ray in double, which was traced rounded to float.
   const Triangle triangle = world_triangle(scene, hit.instance, hit.triangle);
-  const double embree_distance = static_cast<double>(ray.ray.tfar);
-  hit.distance_m =
-      std::min(settled_distance(plane_distance(triangle, origin_world, direction), embree_distance),
-               limit_m);
+  const auto traced = static_cast<double>(packet.ray.tfar[0]);
+  hit.distance_m = std::min(
+      settled_distance(plane_distance(triangle, origin_world, direction), traced), limit_m);
   hit.normal_world = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]).normalized();
   return hit;
 }
 
 bool Scene::occluded(const Vector3d& from_world, const Vector3d& to_world) const {
+  RTCRay8 packet{};
   // The direction is the whole way: 1 is its end.
-  RTCRay ray = make_ray(from_world, to_world - from_world, 1.0);
+  set_only_ray(packet, from_world, to_world - from_world, 1.0);
   const Internals& scene = internals();
   const ScopedFlushToZero flush;
-  embree::occlude(scene.map->top.get(), ray);
-  // Embree says -inf where something is met.
-  const auto is_met = [&ray] { return ray.tfar < 0.0F; };
-  if (!is_met() && scene.has_movers()) embree::occlude(scene.movers.top.get(), ray);
-  return is_met();
+  occlude(scene.map->top.get(), scene.placements.data(), packet);
+  if (scene.has_movers()) occlude(scene.movers.top.get(), scene.placements.data(), packet);
+  // It ends at -inf where something is met.
+  return packet.tfar[0] < 0.0F;
 }
 
 }  // namespace avoidbench

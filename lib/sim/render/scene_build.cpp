@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cstring>
 #include <exception>
 #include <limits>
 
@@ -68,24 +67,17 @@ std::vector<Vector3f> flattened_vertices(const TriangleMesh& mesh, const Placeme
   return vertices;
 }
 
-template <class T>
-void set_buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format,
-                const std::vector<T>& values) {
-  // Copied, not shared: Embree reads 16 bytes at a vertex, and pads its own buffers for that.
-  void* const buffer = rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(T), values.size());
-  embree::check_errors("copying a map's triangles");
-  std::memcpy(buffer, static_cast<const void*>(values.data()), values.size() * sizeof(T));
-}
-
-embree::GeometryHandle make_geometry(const std::vector<Vector3f>& vertices,
-                                     const TriangleMesh& mesh) {
-  static_assert(sizeof(Vector3f) == 12);
-  embree::GeometryHandle geometry(rtcNewGeometry(embree::device(), RTC_GEOMETRY_TYPE_TRIANGLE));
-  embree::check_errors("making a mesh");
-  set_buffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, vertices);
-  set_buffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, mesh.triangles);
-  rtcCommitGeometry(geometry.get());
-  return geometry;
+/// The hierarchy's next list of planes, and its mesh if it has triangles.
+const TracedMesh& add_mesh(const std::vector<Vector3f>& vertices, const TriangleMesh& mesh,
+                           Hierarchy& hierarchy) {
+  hierarchy.planes.push_back(make_planes(vertices, mesh));
+  TracedMesh& traced = hierarchy.meshes.emplace_back();
+  traced.planes = hierarchy.planes.back().data();
+  traced.triangles.reserve(mesh.triangles.size());
+  for (const auto& [a, b, c] : mesh.triangles) {
+    traced.triangles.push_back(traced_triangle(vertices[a], vertices[b], vertices[c]));
+  }
+  return traced;
 }
 
 embree::SceneHandle make_scene() {
@@ -130,10 +122,10 @@ void build_flattened(const World& world, const std::vector<Placement>& placement
     poll_caller();
     const TriangleMesh& mesh = world.prototypes[world.instances[i].prototype].mesh;
     const std::vector<Vector3f> vertices = flattened_vertices(mesh, placements[i]);
-    hierarchy.planes.push_back(make_planes(vertices, mesh));
-    // Its planes, none, are there all the same: they are found by the instance's number.
+    // Where there are none, their empty lists are: they are found by the instance's number.
+    const TracedMesh& traced = add_mesh(vertices, mesh, hierarchy);
     if (mesh.triangles.empty()) continue;
-    const embree::GeometryHandle geometry = make_geometry(vertices, mesh);
+    const embree::GeometryHandle geometry = make_traced_geometry(traced);
     // By the instance's own number, which Embree gives back with each hit.
     rtcAttachGeometryByID(hierarchy.top.get(), geometry.get(), i);
   }
@@ -143,10 +135,10 @@ void build_flattened(const World& world, const std::vector<Placement>& placement
 void build_prototypes(const World& world, std::size_t first, Hierarchy& hierarchy) {
   for (std::size_t i = first; i < world.prototypes.size(); ++i) {
     const TriangleMesh& mesh = world.prototypes[i].mesh;
-    hierarchy.planes.push_back(make_planes(mesh.vertices, mesh));
+    const TracedMesh& traced = add_mesh(mesh.vertices, mesh, hierarchy);
     hierarchy.prototypes.push_back(make_scene());
     if (!mesh.triangles.empty()) {
-      const embree::GeometryHandle geometry = make_geometry(mesh.vertices, mesh);
+      const embree::GeometryHandle geometry = make_traced_geometry(traced);
       rtcAttachGeometryByID(hierarchy.prototypes.back().get(), geometry.get(), 0);
     }
     commit_polled(hierarchy.prototypes.back().get());

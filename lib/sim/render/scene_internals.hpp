@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "geometry/box_triangle.hpp"
 #include "render/embree.hpp"
 #include "render/scene.hpp"
+#include "render/tracing.hpp"
 #include "render/triangle_plane.hpp"
 
 namespace avoidbench {
@@ -34,6 +36,7 @@ struct Hierarchy {
   bool flattened = false;  ///< whether its triangles are in the world's frame, all in `top`
   embree::SceneHandle top;
   std::vector<embree::SceneHandle> prototypes;  ///< empty where flattened
+  std::deque<TracedMesh> meshes;                ///< as planes; a deque, since they must not move
   std::vector<std::vector<TrianglePlane>>
       planes;  ///< one list an instance where flattened, else a prototype
 };
@@ -92,9 +95,9 @@ std::unique_ptr<Scene::Internals> build_internals(const World& world, const Scen
 void place(Scene::Internals& scene);
 void place_for_rays(Scene::Internals& scene);
 
-/// Which instance Embree has hit: an instance's own number, or that of flattened triangles.
-inline std::uint32_t instance_of(const RTCHit& hit) {
-  return hit.instID[0] != RTC_INVALID_GEOMETRY_ID ? hit.instID[0] : hit.geomID;
+/// Which instance was hit: an instance's own number, or that of flattened triangles.
+inline std::uint32_t instance_of(unsigned instance, unsigned geometry) {
+  return instance != RTC_INVALID_GEOMETRY_ID ? instance : geometry;
 }
 
 /// The triangle of an instance in the world's frame: the float vertices through the float transform
@@ -114,12 +117,10 @@ inline Triangle world_triangle(const Scene::Internals& scene, std::uint32_t inst
   return result;
 }
 
-/// `plane` where the ray meets the plane there, about as Embree found it; else the ray grazes the
-/// triangle, its plane says little, and Embree's word stands. In both float and double.
-template <class Real>
-Real settled_distance(Real plane, Real embree) {
-  constexpr Real kAgreement = static_cast<Real>(1e-3);
-  return std::abs(plane - embree) <= kAgreement * embree ? plane : embree;
+/// `plane`, the distance to the plane of the ray in double, where it is about that of the traced
+/// ray, which is rounded to float; else the ray grazes the triangle, and `traced` stands.
+inline double settled_distance(double plane, double traced) {
+  return std::abs(plane - traced) <= 1e-3 * traced ? plane : traced;
 }
 
 }  // namespace avoidbench

@@ -73,11 +73,11 @@ AB_LANE void locate(const FrameLight& frame, const PacketHits& hits, int first,
   const auto u = load<Floats>(hits.u + first);
   const auto v = load<Floats>(hits.v + first);
   Planes planes = planes_of(hits, first, u, v);
-  // As in depth images: the plane's depth where it agrees with Embree's.
-  const auto embree_depth = load<Floats>(hits.embree_depth + first);
+  // As in depth images: the plane's depth where it agrees with that of the traced ray.
+  const auto traced_depth = load<Floats>(hits.traced_depth + first);
   const Floats plane_depth = planes.numerator / planes.denominator;
-  const Mask agrees = magnitude(plane_depth - embree_depth) <= embree_depth * 1e-3F;
-  const Floats depth = select(mask_of(hits.hit >> first), select(agrees, plane_depth, embree_depth),
+  const Mask agrees = magnitude(plane_depth - traced_depth) <= traced_depth * 1e-3F;
+  const Floats depth = select(mask_of(hits.hit >> first), select(agrees, plane_depth, traced_depth),
                               all_lanes(1.0F));
   store(surface.depth + first, depth);
 

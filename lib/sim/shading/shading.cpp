@@ -149,7 +149,7 @@ void gather(Frame& frame, const PrimaryRays& rays, const RTCRayHit8& packet, std
   hits.ray_x = packet.ray.dir_x;
   hits.ray_y = packet.ray.dir_y;
   hits.ray_z = packet.ray.dir_z;
-  hits.embree_depth = packet.ray.tfar;
+  hits.traced_depth = packet.ray.tfar;
   hits.u = &frame.u[kPacketHeight * x];
   hits.v = &frame.v[kBlockWidth * y];
   hits.hit = 0xffU & ~lanes_with(packet.hit.geomID, RTC_INVALID_GEOMETRY_ID);
@@ -208,10 +208,11 @@ void cast_shadows(const Frame& frame, Block& block, unsigned (&lit)[kBlockPacket
     any |= lit[i];
   }
   if (any == 0) return;
-  embree::occlude_stream(frame.scene.map->top.get(), block.shadows);
+  const Placement* placements = frame.scene.placements.data();
+  occlude(frame.scene.map->top.get(), placements, block.shadows);
   // Rays that the map has stopped are switched off by their length.
   if (frame.scene.has_movers()) {
-    embree::occlude_stream(frame.scene.movers.top.get(), block.shadows);
+    occlude(frame.scene.movers.top.get(), placements, block.shadows);
   }
   for (int i = 0; i < kBlockPackets; ++i) {
     // Embree gives rays that hit something a length of -inf.

@@ -25,7 +25,7 @@ enum class Channels { grey = 1, rgb = 3 };
 /// `camera.max_range_m`; `min_range_m` is ignored. Materials are procedural and fixed to the object
 /// (never to the view), so that two cameras see the same texture; what is finer than about two
 /// pixels fades out of it. `samples` rays a side of each pixel (1: one ray through its centre). The
-/// same bits on every machine, as far as Embree hits the same triangles.
+/// same bits on every machine.
 void render_radiance(const Scene& scene, const Pinhole& camera, const Pose& T_world_camera,
                      const Light& light, int samples, Channels channels, std::span<float> radiance);
 

@@ -49,7 +49,7 @@ struct ObjectLanes {
 /// What the rays of one packet hit.
 struct PacketHits {
   const float *ray_x, *ray_y, *ray_z;  ///< world frame, forward component 1; 32-byte aligned
-  const float* embree_depth;           ///< [m]; 32-byte aligned
+  const float* traced_depth;           ///< [m]; 32-byte aligned
   const float *u, *v;                  ///< of each ray
   unsigned hit;                        ///< a bit a lane
   int facet_count, object_count;
