@@ -5,12 +5,13 @@
 #include <ctime>
 #include <vector>
 
+#include "render/device.hpp"
 #include "render/flush_to_zero.hpp"
 #include "render/primary_rays.hpp"
 #include "render/scene_internals.hpp"
 
-/// The reference that rendering is measured against: Embree itself over the same packets, nothing
-/// else.
+/// The reference that rendering is measured against: Embree itself, with triangles of its own kind,
+/// over the same packets, nothing else.
 namespace avoidbench {
 
 /// This thread's processor time, which other programs on the machine disturb less than the clock on
@@ -50,6 +51,40 @@ inline std::vector<Block> prepared_rays(const Pinhole& camera, const Pose& pose)
   return blocks;
 }
 
+template <class T>
+void set_bare_buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format,
+                     const std::vector<T>& values) {
+  void* const buffer = rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(T), values.size());
+  std::memcpy(buffer, static_cast<const void*>(values.data()), values.size() * sizeof(T));
+}
+
+/// All instances of a world as Embree's own triangles in one hierarchy.
+inline embree::SceneHandle bare_scene(const World& world) {
+  embree::SceneHandle scene(rtcNewScene(embree::device()));
+  for (const Instance& instance : world.instances) {
+    const TriangleMesh& mesh = world.prototypes[instance.prototype].mesh;
+    if (mesh.triangles.empty()) continue;
+    std::vector<Eigen::Vector3f> vertices;
+    for (const Eigen::Vector3f& v : mesh.vertices) {
+      vertices.push_back(instance.T_world_prototype * v);
+    }
+    const embree::GeometryHandle geometry(
+        rtcNewGeometry(embree::device(), RTC_GEOMETRY_TYPE_TRIANGLE));
+    set_bare_buffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, vertices);
+    set_bare_buffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, mesh.triangles);
+    rtcCommitGeometry(geometry.get());
+    rtcAttachGeometry(scene.get(), geometry.get());
+  }
+  rtcCommitScene(scene.get());
+  return scene;
+}
+
+inline void trace_bare(RTCScene scene, RTCRayHit8 (&packets)[embree::kStreamPackets]) {
+  embree::QueryContext context;
+  embree::begin(context);
+  embree::intersect_stream(scene, context, packets);
+}
+
 /// Directions copied in, traced, nothing out.
 inline void trace_bare(RTCScene scene, const std::vector<Block>& blocks, const Pose& pose,
                        double range_m) {
@@ -69,7 +104,7 @@ inline void trace_bare(RTCScene scene, const std::vector<Block>& blocks, const P
       std::fill_n(packets[i].ray.tfar, 8, static_cast<float>(range_m));
       std::fill_n(packets[i].hit.geomID, 8, RTC_INVALID_GEOMETRY_ID);
     }
-    embree::intersect_stream(scene, packets);
+    trace_bare(scene, packets);
   }
 }
 

@@ -79,9 +79,9 @@ double bare_s(const Learner& learner) {
                                         Eigen::Quaterniond(pose[7], pose[8], pose[9], pose[10]));
     const Pose T_world_camera = T_world_body * T_body_camera(sensor.mounting);
     const std::vector<Block> rays = prepared_rays(camera, T_world_camera);
+    const embree::SceneHandle bare = bare_scene(learner.env.scene(i).world());
     const double before = processor_s();
-    trace_bare(learner.env.scene(i).internals().map->top.get(), rays, T_world_camera,
-               sensor.max_range_m);
+    trace_bare(bare.get(), rays, T_world_camera, sensor.max_range_m);
     sum_s += 8.0 * (processor_s() - before);
   }
   return sum_s;

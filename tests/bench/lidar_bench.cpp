@@ -46,7 +46,7 @@ void trace_rays_bare(RTCScene scene, const std::vector<PreparedPacket>& prepared
       std::fill_n(packet.ray.tfar, 8, range_m);
       std::fill_n(packet.hit.geomID, 8, RTC_INVALID_GEOMETRY_ID);
     }
-    embree::intersect_stream(scene, packets);
+    trace_bare(scene, packets);
   }
 }
 
@@ -72,6 +72,7 @@ std::vector<Ray> rays_of(const LidarSpec& lidar, const Pose& pose) {
 void sweep(benchmark::State& state, const LidarSpec& spec, const MapSpec& map) {
   const World world = make_world(map, 1);
   const Scene scene(world);
+  const embree::SceneHandle bare = bare_scene(world);
   const Pose pose = free_place(scene);
   const std::vector<Ray> rays = rays_of(spec, pose);
   const std::vector<PreparedPacket> packets = prepared(rays);
@@ -82,8 +83,7 @@ void sweep(benchmark::State& state, const LidarSpec& spec, const MapSpec& map) {
   std::int64_t index = 0;
   for (auto _ : state) {
     const double start = processor_s();
-    trace_rays_bare(scene.internals().map->top.get(), packets,
-                    static_cast<float>(spec.max_range_m));
+    trace_rays_bare(bare.get(), packets, static_cast<float>(spec.max_range_m));
     const double first = processor_s();
     for (std::size_t at = 0; at < rays.size(); at += hits.size()) {
       const std::size_t count = std::min(hits.size(), rays.size() - at);

@@ -26,6 +26,7 @@ ImageTimes image_times(const Scene& scene, const TrialSpec& spec, const TrialRec
   const Pinhole camera = sensor_camera(spec.sensor);
   std::vector<float> image(static_cast<std::size_t>(camera.width_px) *
                            static_cast<std::size_t>(camera.height_px));
+  const embree::SceneHandle bare = bare_scene(scene.world());
   ImageTimes times;
   for (const PlanCall& call : record.plan_calls) {
     const auto index = std::min(static_cast<std::size_t>(call.time_s * spec.rates.sample_hz),
@@ -35,7 +36,7 @@ ImageTimes image_times(const Scene& scene, const TrialSpec& spec, const TrialRec
         make_pose(sample.position_world, sample.q_world_body) * T_body_camera(spec.sensor.mounting);
     const std::vector<Block> rays = prepared_rays(camera, pose);
     const double first = processor_s();
-    trace_bare(scene.internals().map->top.get(), rays, pose, spec.sensor.max_range_m);
+    trace_bare(bare.get(), rays, pose, spec.sensor.max_range_m);
     const double second = processor_s();
     render_depth(scene, camera, pose, image);
     times.bare_s += second - first;

@@ -68,8 +68,8 @@ std::vector<Vector3f> flattened_vertices(const TriangleMesh& mesh, const Placeme
 }
 
 /// The hierarchy's next list of planes, and its mesh if it has triangles.
-const TracedMesh& add_mesh(const std::vector<Vector3f>& vertices, const TriangleMesh& mesh,
-                           Hierarchy& hierarchy) {
+TracedMesh& add_mesh(const std::vector<Vector3f>& vertices, const TriangleMesh& mesh,
+                     Hierarchy& hierarchy) {
   hierarchy.planes.push_back(make_planes(vertices, mesh));
   TracedMesh& traced = hierarchy.meshes.emplace_back();
   traced.planes = hierarchy.planes.back().data();
@@ -118,6 +118,7 @@ void commit_polled(RTCScene scene) {
 /// Every instance as triangles of the world, in one hierarchy.
 void build_flattened(const World& world, const std::vector<Placement>& placements,
                      Hierarchy& hierarchy) {
+  float reach_m = 0.0F;
   for (std::uint32_t i = 0; i < world.instances.size(); ++i) {
     poll_caller();
     const TriangleMesh& mesh = world.prototypes[world.instances[i].prototype].mesh;
@@ -125,17 +126,38 @@ void build_flattened(const World& world, const std::vector<Placement>& placement
     // Where there are none, their empty lists are: they are found by the instance's number.
     const TracedMesh& traced = add_mesh(vertices, mesh, hierarchy);
     if (mesh.triangles.empty()) continue;
+    for (const Vector3f& vertex : vertices) {
+      reach_m = std::max(reach_m, vertex.cwiseAbs().maxCoeff());
+    }
     const embree::GeometryHandle geometry = make_traced_geometry(traced);
     // By the instance's own number, which Embree gives back with each hit.
     rtcAttachGeometryByID(hierarchy.top.get(), geometry.get(), i);
   }
+  for (TracedMesh& mesh : hierarchy.meshes) {
+    mesh.box_slack = box_slack(static_cast<double>(reach_m), 1.0);
+  }
+}
+
+/// The scale of each prototype's smallest instance; 1 where it has none.
+std::vector<double> least_scales(const World& world, const std::vector<Placement>& placements) {
+  std::vector<double> scales(world.prototypes.size(), 1.0);
+  for (std::size_t i = 0; i < world.instances.size(); ++i) {
+    double& scale = scales[world.instances[i].prototype];
+    scale = std::min(scale, placements[i].scale);
+  }
+  return scales;
 }
 
 /// Prototypes from `first` on, each once, with a hierarchy of its own.
-void build_prototypes(const World& world, std::size_t first, Hierarchy& hierarchy) {
+void build_prototypes(const World& world, const std::vector<Placement>& placements,
+                      std::size_t first, Hierarchy& hierarchy) {
+  // Wherever instances move to, within a kilometre.
+  constexpr double kReach_m = 1000.0;
+  const std::vector<double> scales = least_scales(world, placements);
   for (std::size_t i = first; i < world.prototypes.size(); ++i) {
     const TriangleMesh& mesh = world.prototypes[i].mesh;
-    const TracedMesh& traced = add_mesh(mesh.vertices, mesh, hierarchy);
+    TracedMesh& traced = add_mesh(mesh.vertices, mesh, hierarchy);
+    traced.box_slack = box_slack(kReach_m, scales[i]);
     hierarchy.prototypes.push_back(make_scene());
     if (!mesh.triangles.empty()) {
       const embree::GeometryHandle geometry = make_traced_geometry(traced);
@@ -322,7 +344,7 @@ std::unique_ptr<Scene::Internals> build_internals(const World& world,
   if (map.flattened) {
     build_flattened(world, scene->placements, map);
   } else {
-    build_prototypes(world, 0, map);
+    build_prototypes(world, scene->placements, 0, map);
     attach_instances(world, 0, world.instances.size(), 0, map);
     build_instance_boxes(world, scene->placements, map);
   }
@@ -347,7 +369,7 @@ std::unique_ptr<Scene::Internals> build_internals(const World& world, const Scen
   const std::size_t first_prototype = map_world.prototypes.size();
   Hierarchy& movers = scene->movers;
   movers.top = make_moving_scene();
-  build_prototypes(world, first_prototype, movers);
+  build_prototypes(world, scene->placements, first_prototype, movers);
   attach_instances(world, scene->first_mover, world.instances.size(), first_prototype, movers);
   for (std::size_t i = scene->first_mover; i < world.instances.size(); ++i) {
     const std::uint32_t prototype = world.instances[i].prototype;

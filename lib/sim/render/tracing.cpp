@@ -217,17 +217,13 @@ void occlude_triangle(const RTCOccludedFunctionNArguments* asked) {
   });
 }
 
-/// Widened by more than Embree's rounding where it compares rays with boxes.
 void bounds(const RTCBoundsFunctionArguments* asked) {
   const auto& mesh = *static_cast<const TracedMesh*>(asked->geometryUserPtr);
   const TracedTriangle& t = mesh.triangles[asked->primID];
   float low[3], high[3];
   for (int k = 0; k < 3; ++k) {
-    low[k] = std::min({t.a[k], t.b[k], t.c[k]});
-    high[k] = std::max({t.a[k], t.b[k], t.c[k]});
-    const float slack = 1e-4F + 4e-6F * std::max(std::abs(low[k]), std::abs(high[k]));
-    low[k] -= slack;
-    high[k] += slack;
+    low[k] = std::min({t.a[k], t.b[k], t.c[k]}) - mesh.box_slack;
+    high[k] = std::max({t.a[k], t.b[k], t.c[k]}) + mesh.box_slack;
   }
   *asked->bounds_o = {low[0], low[1], low[2], 0.0F, high[0], high[1], high[2], 0.0F};
 }

@@ -20,7 +20,15 @@ struct Placement;
 struct TracedMesh {
   std::vector<TracedTriangle> triangles;
   const TrianglePlane* planes = nullptr;  ///< one a triangle
+  float box_slack = 0.0F;  ///< by which boxes are larger, in the mesh's frame; set before the scene
+                           ///< is committed
 };
+
+/// Of boxes in a frame with `scale` metres a unit: more than Embree's rounding of rays and boxes
+/// within `reach_m` of the world's origin.
+inline float box_slack(double reach_m, double scale) {
+  return static_cast<float>((1e-4 + 4e-6 * reach_m) / scale);
+}
 
 /// Corner by corner, with what the test needs.
 TracedTriangle traced_triangle(const Eigen::Vector3f& a, const Eigen::Vector3f& b,
