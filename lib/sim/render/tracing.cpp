@@ -10,7 +10,6 @@
 #include <limits>
 #include <utility>
 
-#include "base/check.hpp"
 #include "render/device.hpp"
 #include "render/ray_tracing_isa.hpp"
 #include "render/scene_internals.hpp"
