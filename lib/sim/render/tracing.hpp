@@ -20,8 +20,8 @@ struct Placement;
 struct TracedMesh {
   std::vector<TracedTriangle> triangles;
   const TrianglePlane* planes = nullptr;  ///< one a triangle
-  float box_slack = 0.0F;  ///< by which boxes are larger, in the mesh's frame; set before the scene
-                           ///< is committed
+  /// By which boxes are larger, in the mesh's frame; set before the scene is committed.
+  float box_slack = 0.0F;
 };
 
 /// Of boxes in a frame with `scale` metres a unit: more than Embree's rounding of rays and boxes
