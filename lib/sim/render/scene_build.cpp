@@ -138,26 +138,29 @@ void build_flattened(const World& world, const std::vector<Placement>& placement
   }
 }
 
-/// The scale of each prototype's smallest instance; 1 where it has none.
-std::vector<double> least_scales(const World& world, const std::vector<Placement>& placements) {
-  std::vector<double> scales(world.prototypes.size(), 1.0);
+/// How much larger the boxes of each prototype's triangles are: enough for its smallest instance,
+/// wherever instances are or move to within a kilometre.
+std::vector<float> prototype_slacks(const World& world, const std::vector<Placement>& placements) {
+  double reach_m = 1000.0;
+  std::vector<double> least_scales(world.prototypes.size(), 1.0);
   for (std::size_t i = 0; i < world.instances.size(); ++i) {
-    double& scale = scales[world.instances[i].prototype];
+    double& scale = least_scales[world.instances[i].prototype];
     scale = std::min(scale, placements[i].scale);
+    reach_m = std::max(reach_m, 2.0 * placements[i].position_world.cwiseAbs().maxCoeff());
   }
-  return scales;
+  std::vector<float> slacks;
+  for (const double scale : least_scales) slacks.push_back(box_slack(reach_m, scale));
+  return slacks;
 }
 
 /// Prototypes from `first` on, each once, with a hierarchy of its own.
 void build_prototypes(const World& world, const std::vector<Placement>& placements,
                       std::size_t first, Hierarchy& hierarchy) {
-  // Wherever instances move to, within a kilometre.
-  constexpr double kReach_m = 1000.0;
-  const std::vector<double> scales = least_scales(world, placements);
+  const std::vector<float> slacks = prototype_slacks(world, placements);
   for (std::size_t i = first; i < world.prototypes.size(); ++i) {
     const TriangleMesh& mesh = world.prototypes[i].mesh;
     TracedMesh& traced = add_mesh(mesh.vertices, mesh, hierarchy);
-    traced.box_slack = box_slack(kReach_m, scales[i]);
+    traced.box_slack = slacks[i];
     hierarchy.prototypes.push_back(make_scene());
     if (!mesh.triangles.empty()) {
       const embree::GeometryHandle geometry = make_traced_geometry(traced);
