@@ -78,6 +78,28 @@ TEST(SuiteScore, AgreesWithItsDefinition) {
   EXPECT_DOUBLE_EQ(score_of(suite, result).score.value, 0.5 * sum);
 }
 
+/// Four cells on the same maps tell no more of them than one. Taken for different maps, they would
+/// halve the interval.
+TEST(SuiteScore, CellsOnTheSameMapsDrawTheSameOnes) {
+  const auto interval_of = [](std::size_t cell_count, bool are_same) {
+    SuiteSpec suite = large_suite(cell_count);
+    for (std::size_t i = 0; i < cell_count; ++i) {
+      const std::string digest(64, are_same ? 'a' : static_cast<char>('a' + i));
+      for (SuiteSweep& sweep : suite.cells[i].sweeps) sweep.dev = sweep.open = {digest, digest};
+    }
+    return score_of(suite, result_of(suite, "a",
+                                     [](auto&, std::int64_t map, auto) {
+                                       return 1.0 + 0.1 * static_cast<double>(map);
+                                     }))
+        .score.interval;
+  };
+  const Interval one = interval_of(1, true), same = interval_of(4, true);
+  const Interval different = interval_of(4, false);
+  EXPECT_NEAR(same.lower, one.lower, 1e-12);
+  EXPECT_NEAR(same.upper, one.upper, 1e-12);
+  EXPECT_LT(different.upper - different.lower, 0.8 * (one.upper - one.lower));
+}
+
 TEST(SuiteScore, RanksRivalsBelowWhoSeesTheMapAndMarksTheBest) {
   const SuiteSpec suite = large_suite(2);
   const auto at = [&](const std::string& label, double speed, bool is_privileged = false) {

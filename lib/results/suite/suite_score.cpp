@@ -49,6 +49,24 @@ Interval interval_of(double value, const std::vector<double>& draws, std::size_t
           quantile(draws, normal_cdf(shift + widened))};
 }
 
+bool have_same_maps(const SuiteCell& a, const SuiteCell& b) {
+  return std::equal(a.sweeps.begin(), a.sweeps.end(), b.sweeps.begin(), b.sweeps.end(),
+                    [](const SuiteSweep& x, const SuiteSweep& y) {
+                      return !x.open.maps_sha256.empty() &&
+                             x.open.maps_sha256 == y.open.maps_sha256 &&
+                             x.dev.maps_sha256 == y.dev.maps_sha256;
+                    });
+}
+
+/// Which maps a cell draws. Cells with the same maps draw the same ones, since a map that is easy
+/// in one of them is easy in all; others have nothing to do with each other.
+std::uint64_t stream_index_of(const std::vector<SuiteCell>& cells, std::size_t i) {
+  const auto first = std::find_if(cells.begin(), cells.end(), [&](const SuiteCell& other) {
+    return &other == &cells[i] || have_same_maps(other, cells[i]);
+  });
+  return static_cast<std::uint64_t>(first - cells.begin()) + 1;
+}
+
 double success_rate(const SuiteScore& score) {
   return static_cast<double>(score.success_count) / static_cast<double>(score.all.trial_count);
 }
@@ -143,8 +161,8 @@ SuiteScore score_of(const SuiteSpec& suite, const SuiteResult& result) {
   for (std::size_t i = 0; i < suite.cells.size(); ++i) {
     const FlownMaps& flown = by_cell[suite.cells[i].name];
     least_maps = std::min(least_maps, flown.map_count());
-    // Maps of one cell have nothing to do with those of another: each draws its own.
-    const PlannerSpeeds& cell = score.cells.emplace_back(flown.speeds(i + 1));
+    const PlannerSpeeds& cell =
+        score.cells.emplace_back(flown.speeds(stream_index_of(suite.cells, i)));
     score.cell_v90_mps.push_back(reached_speed(cell.curve, kReachedShare));
     score.score.value += score.cell_v90_mps.back() / count;
     for (std::size_t k = 0; k < kSpeedDraws; ++k) score.score_draws[k] += cell.v90_draws[k] / count;
