@@ -78,26 +78,30 @@ TEST(SuiteScore, AgreesWithItsDefinition) {
   EXPECT_DOUBLE_EQ(score_of(suite, result).score.value, 0.5 * sum);
 }
 
-/// Four cells on the same maps tell no more of them than one. Taken for different maps, they would
-/// halve the interval.
+/// Four cells on the same maps tell no more of them than one. Taken for different maps, as sealed
+/// ones are, they would halve the interval.
 TEST(SuiteScore, CellsOnTheSameMapsDrawTheSameOnes) {
-  const auto interval_of = [](std::size_t cell_count, bool are_same) {
+  const auto score_on = [](std::size_t cell_count, bool are_same, Split split = Split::open) {
     SuiteSpec suite = large_suite(cell_count);
     for (std::size_t i = 0; i < cell_count; ++i) {
       const std::string digest(64, are_same ? 'a' : static_cast<char>('a' + i));
       for (SuiteSweep& sweep : suite.cells[i].sweeps) sweep.dev = sweep.open = {digest, digest};
     }
-    return score_of(suite, result_of(suite, "a",
-                                     [](auto&, std::int64_t map, auto) {
-                                       return 1.0 + 0.1 * static_cast<double>(map);
-                                     }))
-        .score.interval;
+    SuiteResult result = result_of(suite, "a", [](auto&, std::int64_t map, auto) {
+      return 1.0 + 0.1 * static_cast<double>(map);
+    });
+    result.split = split;
+    return score_of(suite, result);
   };
-  const Interval one = interval_of(1, true), same = interval_of(4, true);
-  const Interval different = interval_of(4, false);
-  EXPECT_NEAR(same.lower, one.lower, 1e-12);
-  EXPECT_NEAR(same.upper, one.upper, 1e-12);
-  EXPECT_LT(different.upper - different.lower, 0.8 * (one.upper - one.lower));
+  const SuiteScore one = score_on(1, true), same = score_on(4, true);
+  EXPECT_NEAR(same.score.interval.lower, one.score.interval.lower, 1e-12);
+  EXPECT_NEAR(same.score.interval.upper, one.score.interval.upper, 1e-12);
+  EXPECT_EQ(same.map_count, 12U);
+  for (const SuiteScore& other : {score_on(4, false), score_on(4, true, Split::sealed)}) {
+    EXPECT_LT(other.score.interval.upper - other.score.interval.lower,
+              0.8 * (one.score.interval.upper - one.score.interval.lower));
+    EXPECT_EQ(other.map_count, 48U);
+  }
 }
 
 TEST(SuiteScore, RanksRivalsBelowWhoSeesTheMapAndMarksTheBest) {

@@ -49,22 +49,24 @@ Interval interval_of(double value, const std::vector<double>& draws, std::size_t
           quantile(draws, normal_cdf(shift + widened))};
 }
 
-bool have_same_maps(const SuiteCell& a, const SuiteCell& b) {
-  return std::equal(a.sweeps.begin(), a.sweeps.end(), b.sweeps.begin(), b.sweeps.end(),
-                    [](const SuiteSweep& x, const SuiteSweep& y) {
-                      return !x.open.maps_sha256.empty() &&
-                             x.open.maps_sha256 == y.open.maps_sha256 &&
-                             x.dev.maps_sha256 == y.dev.maps_sha256;
+/// Sealed maps are other ones in each cell.
+bool have_same_maps(const SuiteCell& a, const SuiteCell& b, Split split) {
+  const auto frozen = [split](const SuiteSweep& sweep) -> const std::string& {
+    return (split == Split::dev ? sweep.dev : sweep.open).maps_sha256;
+  };
+  return split != Split::sealed &&
+         std::equal(a.sweeps.begin(), a.sweeps.end(), b.sweeps.begin(), b.sweeps.end(),
+                    [&](const SuiteSweep& x, const SuiteSweep& y) {
+                      return !frozen(x).empty() && frozen(x) == frozen(y);
                     });
 }
 
-/// Which maps a cell draws. Cells with the same maps draw the same ones, since a map that is easy
-/// in one of them is easy in all; others have nothing to do with each other.
-std::uint64_t stream_index_of(const std::vector<SuiteCell>& cells, std::size_t i) {
-  const auto first = std::find_if(cells.begin(), cells.end(), [&](const SuiteCell& other) {
-    return &other == &cells[i] || have_same_maps(other, cells[i]);
-  });
-  return static_cast<std::uint64_t>(first - cells.begin()) + 1;
+/// The first cell on the maps of cell i. Cells on the same maps draw the same ones, since a map
+/// that is easy in one of them is easy in all; others have nothing to do with each other.
+std::size_t first_on_its_maps(const std::vector<SuiteCell>& cells, std::size_t i, Split split) {
+  std::size_t first = 0;
+  while (first < i && !have_same_maps(cells[first], cells[i], split)) ++first;
+  return first;
 }
 
 double success_rate(const SuiteScore& score) {
@@ -154,15 +156,15 @@ SuiteScore score_of(const SuiteSpec& suite, const SuiteResult& result) {
     score.success_count += row.outcome == Outcome::reached_goal ? 1 : 0;
   }
   score.all = all.speeds(0);
-  score.map_count = all.map_count();
-  std::size_t least_maps = score.map_count;
+  std::size_t least_maps = all.map_count();
   score.score_draws.assign(kSpeedDraws, 0.0);
   const auto count = static_cast<double>(suite.cells.size());
   for (std::size_t i = 0; i < suite.cells.size(); ++i) {
     const FlownMaps& flown = by_cell[suite.cells[i].name];
     least_maps = std::min(least_maps, flown.map_count());
-    const PlannerSpeeds& cell =
-        score.cells.emplace_back(flown.speeds(stream_index_of(suite.cells, i)));
+    const std::size_t first = first_on_its_maps(suite.cells, i, result.split);
+    if (first == i) score.map_count += flown.map_count();
+    const PlannerSpeeds& cell = score.cells.emplace_back(flown.speeds(first + 1));
     score.cell_v90_mps.push_back(reached_speed(cell.curve, kReachedShare));
     score.score.value += score.cell_v90_mps.back() / count;
     for (std::size_t k = 0; k < kSpeedDraws; ++k) score.score_draws[k] += cell.v90_draws[k] / count;

@@ -18,7 +18,7 @@ struct SuiteScore {
   bool is_privileged = false;       ///< sees the map: no competitor
   Estimate score;                   ///< m/s
   std::vector<double> score_draws;  ///< pairs with another result's of the same suite and split
-  std::size_t map_count = 0;        ///< of all cells
+  std::size_t map_count = 0;        ///< of all cells; what two cells share counts once
   std::int64_t success_count = 0;
   PlannerSpeeds all;                 ///< of all missions together
   std::vector<PlannerSpeeds> cells;  ///< one a cell of the suite
@@ -32,7 +32,8 @@ SuiteScore score_of(const SuiteSpec& suite, const SuiteResult& result);
 /// best.
 std::vector<SuiteScore> ranked(std::vector<SuiteScore> scores);
 
-/// Of two results' scores: a bootstrap over the maps of each cell, the same for both.
+/// Of two results' scores: a bootstrap over the maps of each cell, the same for both and for cells
+/// on the same maps.
 SpeedDifference score_difference(const SuiteScore& first, const SuiteScore& second,
                                  double confidence = 0.95);
 
