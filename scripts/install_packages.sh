@@ -30,10 +30,11 @@ test_packages=(
   "${plot_packages[@]}" "${python_packages[@]}" "${ros_packages[@]}" clang clang-format clang-tidy libclang-rt-14-dev llvm
   libgtest-dev libgmock-dev python3-jsonschema valgrind locales npm chromium ffmpeg shellcheck
 )
-# A one-node Slurm for the test of scripts/slurm (independent of the system's services), and debootstrap for
-# scripts/fresh_system.sh. ROS 1 if the system still packages it; otherwise its test is skipped with a message.
+# A one-node Slurm for the test of scripts/slurm (independent of the system's services), debootstrap for
+# scripts/fresh_system.sh, and an emulator of other processors. ROS 1 if the system still packages it; otherwise its test is
+# skipped with a message.
 deb_packages=(dpkg-dev file)  # what CPack finds shared libraries and their packages with
-slow_packages=("${deb_packages[@]}" munge slurmctld slurmd slurm-client debootstrap)
+slow_packages=("${deb_packages[@]}" munge slurmctld slurmd slurm-client debootstrap qemu-user)
 if apt-cache show python3-rospy >/dev/null 2>&1; then slow_packages+=("${ros_live_packages[@]}"); fi
 
 case "${1:-build}" in
