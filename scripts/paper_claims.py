@@ -8,6 +8,7 @@ verdict follows from the interval alone: `yes` where all of it agrees with the c
 between. AVOIDBENCH: the program (default: avoidbench)."""
 
 import json
+import math
 import os
 import subprocess
 import sys
@@ -42,7 +43,8 @@ def ends(row, name):
 def shown(value, lower, upper, digits=2):
     if value is None:
         return "–"
-    interval = f" [{lower:.{digits}f}, {upper:.{digits}f}]" if lower is not None and upper is not None else ""
+    end = "∞" if upper == math.inf else upper if upper is None else f"{upper:.{digits}f}"
+    interval = f" [{lower:.{digits}f}, {end}]" if lower is not None and end is not None else ""
     return f"{value:.{digits}f}{interval}"
 
 
@@ -66,9 +68,11 @@ def rises(tables):
 
 
 def contrast(tables, first, second):
-    """Failures per metre of the first over those of the second, smoothed, with its interval."""
+    """Failures per metre of the first over those of the second, smoothed, with its interval. Where resampled maps
+    have no failures of the second, its upper end is missing: it has no limit."""
     for row in tables["pairs"]:
-        number = ends(row, "contrast_factor_smoothed")
+        value, lower, upper = ends(row, "contrast_factor_smoothed")
+        number = value, lower, math.inf if upper is None else upper
         if (row["planner"], row["other_planner"]) == (first, second):
             return number
         if (row["planner"], row["other_planner"]) == (second, first):
