@@ -36,23 +36,18 @@ def by(rows, **wanted):
 
 
 def ends(row, name):
-    """A number of a row with the ends of its interval, None where it has none."""
-    return row[name], row[name + "_lower"], row[name + "_upper"]
+    """A number of a row with the ends of its interval, NaN where the report has none: that compares as not known."""
+    return tuple(math.nan if row[key] is None else row[key] for key in (name, name + "_lower", name + "_upper"))
 
 
 def shown(value, lower, upper, digits=2):
-    if value is None:
-        return "–"
-    end = "∞" if upper == math.inf else upper if upper is None else f"{upper:.{digits}f}"
-    interval = f" [{lower:.{digits}f}, {end}]" if lower is not None and end is not None else ""
-    return f"{value:.{digits}f}{interval}"
+    value, lower, upper = ("–" if math.isnan(number) else f"{number:.{digits}f}" for number in (value, lower, upper))
+    return value if lower == upper == "–" else f"{value} [{lower}, {upper}]"
 
 
 def above(number, bound):
     """Whether a number with its interval is above a bound: yes, no or ?."""
-    value, lower, upper = number
-    if value is None or lower is None or upper is None:
-        return "?"
+    _, lower, upper = number
     return "yes" if lower > bound else "no" if upper < bound else "?"
 
 
@@ -68,11 +63,9 @@ def rises(tables):
 
 
 def contrast(tables, first, second):
-    """Failures per metre of the first over those of the second, smoothed, with its interval. Where resampled maps
-    have no failures of the second, its upper end is missing: it has no limit."""
+    """Failures per metre of the first over those of the second, smoothed, with its interval."""
     for row in tables["pairs"]:
-        value, lower, upper = ends(row, "contrast_factor_smoothed")
-        number = value, lower, math.inf if upper is None else upper
+        number = ends(row, "contrast_factor_smoothed")
         if (row["planner"], row["other_planner"]) == (first, second):
             return number
         if (row["planner"], row["other_planner"]) == (second, first):
@@ -86,7 +79,7 @@ def equally_safe(tables):
     if all(row["finished_count"] == row["trial_count"] for row in rows):
         return "neither fails", "?"
     value, lower, upper = contrast(tables, "ego", "mbplanner")
-    verdict = "yes" if 0.5 <= lower and upper <= 2 else "?" if lower <= 1 <= upper else "no"
+    verdict = "yes" if 0.5 <= lower and upper <= 2 else "no" if lower > 1 or upper < 1 else "?"
     return shown(value, lower, upper), verdict
 
 
@@ -106,8 +99,7 @@ def extreme(metric, planner, is_greatest, digits):
             if name == planner:
                 continue
             _, own_lower, own_upper = numbers[planner]
-            is_known = None not in (lower, upper, own_lower, own_upper)
-            is_above, is_below = is_known and own_lower > upper, is_known and own_upper < lower
+            is_above, is_below = own_lower > upper, own_upper < lower
             verdicts.append("?" if not (is_above or is_below) else "yes" if is_above == is_greatest else "no")
         text = "; ".join(f"{name} {shown(*number, digits)}" for name, number in numbers.items())
         return text, joined(verdicts)
