@@ -437,17 +437,19 @@ async function checkLarge() {
       const begun = performance.now();
       document.querySelectorAll(s)[1].click();
       await frames();
-      return performance.now() - begun;
+      return [performance.now() - begun, document.querySelector(".shown").textContent];
     }, selector);
-  const table_ms = await timed(".filters .chip");
+  const [table_ms, half] = await timed(".filters .chip");
+  check(half.replaceAll(/\D/g, "").startsWith("500010000"), "10,000 trials: a filter acts before the next frame", half);
+  check((await page.$$("tr[data-trial]")).length < 120, "10,000 trials: a filter makes only the rows that are seen");
   await page.click('nav button:has-text("Overview")');
   await page.waitForSelector('figure[data-figure="success"] svg');
-  const overview_ms = await timed(".filters .chip");
+  const [overview_ms, all] = await timed(".filters .chip");
+  check(all.replaceAll(/\D/g, "").startsWith("10000"), "10,000 trials: and is taken off before the next frame", all);
+  // It should take less than 200 ms; a machine with other work to do takes longer, so no check depends on it.
   console.log(
     `     10,000 trials: opened in ${page.opened_ms} ms; a filter takes ${table_ms.toFixed(0)} ms in the table, ${overview_ms.toFixed(0)} ms in the overview`,
   );
-  // Machines with other work to do take longer than the 200 ms that it should.
-  check(table_ms < 1000 && overview_ms < 1000, "10,000 trials: a filter acts at once");
   await finish(page, "10,000 trials");
 }
 
