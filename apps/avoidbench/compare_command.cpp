@@ -170,8 +170,8 @@ void add_options(CLI::App& command, CompareCommand& options) {
                    "Exit code 1 also if NEW lacks trials of BASE");
   CLI::Option* exact =
       command.add_flag("--exact", options.is_exact,
-                       "No statistics: outcomes and deterministic metrics must be equal to the "
-                       "last bit, and no trial may be missing");
+                       "No statistics: outcomes, flights and deterministic metrics must be equal "
+                       "to the last bit, and no trial may be missing");
   command
       .add_flag("--sample", options.is_sample,
                 "NEW is a part of BASE, such as one --shard of its sweep: missing trials are not a "

@@ -54,6 +54,7 @@ inline TableTrial trial(const std::string& planner, int map, int mission, bool i
                   .mission_index = mission};
   row.map = static_cast<std::uint64_t>(map) + 1;
   row.mission = static_cast<std::uint64_t>(1000 * map + mission) + 1;
+  row.flight = row.mission;
   row.outcome = is_finished ? Outcome::reached_goal : Outcome::collided;
   row.metrics = is_finished ? std::vector<double>{5.0, 2.0, 100.0, 0.5, 300.0, 0.0, 15.0, 1.5}
                             : std::vector<double>{kNone, kNone, 40.0, 0.0, 120.0, 1.0, 6.0, 0.5};

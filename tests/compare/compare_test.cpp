@@ -217,21 +217,37 @@ TEST(CompareExact, NamesEveryDifference) {
   EXPECT_TRUE(compare_exactly(base, now).differences.empty());
   now.trials[1].metrics[0] = std::nextafter(5.0, 6.0);
   now.trials[2].metrics[7] = 99.0;  // measured: differs from run to run
+  ++now.trials[2].flight;
   crash(now.trials[3]);
   now.trials.pop_back();
   now.trials.push_back(trial("reactive", 0, 0, true));
   const ExactComparison comparison = compare_exactly(base, now);
   EXPECT_EQ(comparison.pair_count, 5);
-  EXPECT_EQ(comparison.equal_count, 3);
+  EXPECT_EQ(comparison.equal_count, 2);
   ASSERT_GE(comparison.differences.size(), 4U);
   EXPECT_EQ(comparison.differences[0].what, "path_optimality_pct");
   EXPECT_EQ(comparison.differences[0].before, "5");
   EXPECT_EQ(comparison.differences[0].after, "5.000000000000001");
-  EXPECT_EQ(comparison.differences[1].what, "outcome");
-  EXPECT_EQ(comparison.differences[1].after, "collided");
-  EXPECT_EQ(comparison.differences[2].after, "none");
+  EXPECT_EQ(comparison.differences[1].what, "flight");
+  EXPECT_EQ(comparison.differences[1].after, "another trajectory, command or event");
+  EXPECT_EQ(comparison.differences[2].what, "outcome");
+  EXPECT_EQ(comparison.differences[2].after, "collided");
+  EXPECT_EQ(comparison.differences[3].after, "none");
   EXPECT_EQ(comparison.differences.end()[-2].after, "missing");
   EXPECT_EQ(comparison.differences.back().before, "missing");
+}
+
+TEST(CompareExact, FlightsThatATableLacksAreNotCompared) {
+  TrialTable base = finished_table("a.db", 1, 2);
+  const TrialTable now = base;
+  base.trials[0].flight = 0;
+  ++base.trials[1].flight;
+  const ExactComparison comparison = compare_exactly(base, now);
+  EXPECT_EQ(comparison.flight_count, 1);
+  EXPECT_EQ(comparison.differences.size(), 1U);
+  ASSERT_EQ(comparison.warnings.size(), 1U);
+  EXPECT_EQ(comparison.warnings[0],
+            "the digest of 1 flight is not in both: only outcomes and metrics are compared");
 }
 
 TEST(CompareExact, ASampleMayLackTrialsButHasNoOthers) {

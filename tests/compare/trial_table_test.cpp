@@ -79,6 +79,26 @@ TEST(TrialTable, CsvKeepsEveryBit) {
   EXPECT_EQ(comparison.equal_count, 8);
   EXPECT_TRUE(comparison.differences.empty());
   EXPECT_EQ(comparison.metrics.size(), 2U);
+  EXPECT_EQ(comparison.flight_count, 8);
+}
+
+TEST(TrialTable, ReadsTablesWithoutFlights) {
+  const std::string metric = "# metric,path_length_m,1,m,neither,all\r\n";
+  const std::string columns =
+      "planner,generator,map_seed,setting,mission_index,map,mission,outcome";
+  const std::string trial = "a,forest,1,,0,00000000000000aa,00000000000000bb,collided";
+  const TrialTable table =
+      table_of_csv("# avoidbench trials, format 1: as it wrote it\r\n" + metric + columns +
+                       ",path_length_m\r\n" + trial + ",2.5\r\n",
+                   "t.csv");
+  EXPECT_EQ(table.trials.at(0).flight, 0U);
+  EXPECT_EQ(table.trials.at(0).metrics.at(0), 2.5);
+  const std::string error = test::message_of([&] {
+    table_of_csv("# avoidbench trials, format 2: as it wrote it\r\n" + metric + columns +
+                     ",path_length_m\r\n" + trial + ",2.5\r\n",
+                 "t.csv");
+  });
+  EXPECT_NE(error.find("the columns are not those of this format"), std::string::npos) << error;
 }
 
 TEST(TrialTable, CsvKeepsEveryTrialWhateverItsLabel) {
@@ -119,7 +139,7 @@ TEST(TrialTable, DamagedCsvIsToldWithItsLine) {
     return test::message_of([&] { table_of_csv(changed, "t.csv"); });
   };
   EXPECT_EQ(
-      error_with("# avoidbench trials, format 1", "planner"),
+      error_with("# avoidbench trials, format 2", "planner"),
       "t.csv: is neither a database of results nor a table of trials that `avoidbench compare` "
       "wrote");
   EXPECT_NE(error_with("reached_goal", "reached_gaol").find("t.csv:7: outcome: 'reached_gaol'"),

@@ -178,7 +178,7 @@ void visit_trials(const Database& database, std::string_view sweep, std::int64_t
   Statement s(
       database.handle(), database.path(),
       "SELECT t.planner_key, t.map_key, t.mission_index, t.outcome" + columns +
-          ", t.trial_key, (SELECT cause FROM explanations e WHERE e.trial_key = "
+          ", t.trial_key, t.flight_digest, (SELECT cause FROM explanations e WHERE e.trial_key = "
           "t.trial_key) FROM sweep_trials s JOIN trials t USING (trial_key) WHERE s.sweep = ? AND "
           "s.revision = ?");
   s.rows_of("trials", 4 + static_cast<int>(paths.size() + database.metrics().size()));
@@ -197,7 +197,8 @@ void visit_trials(const Database& database, std::string_view sweep, std::int64_t
       trial.metrics.push_back(s.real(column++));
     }
     trial.key = s.text(column);
-    trial.cause = s.free_text(column + 1);
+    trial.flight_digest = s.text(column + 1);
+    trial.cause = s.free_text(column + 2);
     visit(std::move(trial));
   }
 }

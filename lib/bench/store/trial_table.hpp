@@ -50,6 +50,7 @@ struct VisitedTrial {
   std::int64_t mission_index = 0;
   Outcome outcome = Outcome::timed_out;
   std::string cause;            ///< of a failure, where it is told
+  std::string flight_digest;    ///< see store/row_digest.hpp
   std::vector<double> metrics;  ///< in the order of Database::metrics(), NaN where there is none
   std::vector<std::string>
       settings;  ///< what its spec says at the paths, as JSON text; "" for none

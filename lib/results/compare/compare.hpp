@@ -152,15 +152,16 @@ struct ExactComparison {
   std::vector<std::string> planners = {};  ///< labels of either side
   std::int64_t pair_count = 0;
   std::int64_t equal_count = 0;              ///< of the pairs: without any difference
+  std::int64_t flight_count = 0;             ///< of the pairs: both sides have the flight's digest
   std::vector<std::string> metrics = {};     ///< that were compared
   std::vector<Difference> differences = {};  ///< by identity
   std::vector<std::string> warnings = {};
 };
 
-/// Compares outcomes, missions and every deterministic metric that both tables define, bit for bit;
-/// NaN equals NaN. A trial that one side lacks is a difference, except those of `base` where `now`
-/// is a sample of it. Throws InputError where a metric's versions differ, and where a sample has no
-/// trial of `base`.
+/// Compares outcomes, missions, digests of flights and every deterministic metric that both tables
+/// define, bit for bit; NaN equals NaN. A trial that one side lacks is a difference, except those
+/// of `base` where `now` is a sample of it. Throws InputError where a metric's versions differ, and
+/// where a sample has no trial of `base`.
 ExactComparison compare_exactly(const TrialTable& base, const TrialTable& now,
                                 bool is_sample = false);
 

@@ -4,6 +4,7 @@
 
 #include "base/input_error.hpp"
 #include "base/number_text.hpp"
+#include "base/words.hpp"
 #include "compare/compare.hpp"
 #include "store/record_format.hpp"
 
@@ -45,6 +46,10 @@ std::vector<ComparedColumn> columns_of(const TrialTable& base, const TrialTable&
   return columns;
 }
 
+bool both_have_flights(const TableTrial& before, const TableTrial& after) {
+  return before.flight != 0 && after.flight != 0;
+}
+
 /// A difference for each thing that is not the same, also where one follows from another.
 void compare_pair(const TableTrial& before, const TableTrial& after,
                   const std::vector<ComparedColumn>& columns,
@@ -58,6 +63,9 @@ void compare_pair(const TableTrial& before, const TableTrial& after,
   if (before.mission != after.mission) add("mission", "", "another world, start or goal");
   if (before.outcome != after.outcome) {
     add("outcome", std::string(text(before.outcome)), std::string(text(after.outcome)));
+  }
+  if (both_have_flights(before, after) && before.flight != after.flight) {
+    add("flight", "", "another trajectory, command or event");
   }
   for (const ComparedColumn& column : columns) {
     const double old_value = before.metrics[column.base], new_value = after.metrics[column.now];
@@ -81,6 +89,7 @@ ExactComparison compare_exactly(const TrialTable& base, const TrialTable& now, b
       const std::size_t so_far = result.differences.size();
       compare_pair(*pair.before, *pair.after, columns, result.differences);
       ++result.pair_count;
+      result.flight_count += both_have_flights(*pair.before, *pair.after) ? 1 : 0;
       result.equal_count += result.differences.size() == so_far ? 1 : 0;
     } else {
       result.differences.push_back({.identity = pair.identity(),
@@ -91,6 +100,11 @@ ExactComparison compare_exactly(const TrialTable& base, const TrialTable& now, b
   }
   if (is_sample && result.pair_count == 0) {
     throw InputError(now.source + " has no trial of " + base.source);
+  }
+  if (result.flight_count < result.pair_count) {
+    result.warnings.push_back("the digest of " +
+                              counted(result.pair_count - result.flight_count, "flight") +
+                              " is not in both: only outcomes and metrics are compared");
   }
   result.planners.assign(planners.begin(), planners.end());
   return result;

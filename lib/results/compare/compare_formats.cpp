@@ -59,6 +59,7 @@ std::string json_text(const ExactComparison& comparison) {
                  {"new_sweep", comparison.new_sweep},
                  {"pair_count", comparison.pair_count},
                  {"equal_count", comparison.equal_count},
+                 {"flight_count", comparison.flight_count},
                  {"metrics", comparison.metrics},
                  {"warnings", comparison.warnings},
                  {"differences", differences}});
@@ -145,7 +146,7 @@ std::string junit_text(const ExactComparison& comparison) {
     found[{difference.identity.planner, difference.what}].push_back(&difference);
   }
   std::vector<std::string> names = comparison.metrics;
-  names.insert(names.begin(), {"trial", "mission", "outcome"});
+  names.insert(names.begin(), {"trial", "mission", "outcome", "flight"});
   std::vector<TestCase> cases;
   for (const std::string& planner : comparison.planners) {
     for (const std::string& name : names) {

@@ -207,9 +207,11 @@ std::string title_of(const Comparison& comparison) {
 }
 
 std::string exact_title(const ExactComparison& comparison) {
+  const bool has_flights = comparison.flight_count == comparison.pair_count;
   const std::string checked = comparison.now + " against " + comparison.base + ", sweep " +
                               comparison.new_sweep + ": " +
-                              counted(comparison.pair_count, "trial") + ", outcomes and " +
+                              counted(comparison.pair_count, "trial") +
+                              (has_flights ? ", flights and " : ", outcomes and ") +
                               counted(comparison.metrics.size(), "metric") + " bit for bit";
   if (comparison.differences.empty()) return "Equal: " + checked;
   return counted(comparison.differences.size(), "difference") + ": " + checked + "; " +

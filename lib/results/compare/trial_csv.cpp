@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <span>
 #include <sstream>
 
 #include "base/option_error.hpp"
@@ -13,9 +14,17 @@
 namespace avoidbench {
 namespace {
 
-constexpr std::string_view kTitle = "# avoidbench trials, format 1";
-constexpr std::array<std::string_view, 8> kColumns{
-    "planner", "generator", "map_seed", "setting", "mission_index", "map", "mission", "outcome"};
+constexpr std::string_view kTitle = "# avoidbench trials, format ";
+constexpr std::array<std::string_view, 9> kColumns{"planner", "generator",     "map_seed",
+                                                   "setting", "mission_index", "map",
+                                                   "mission", "outcome",       "flight"};
+using Columns = std::span<const std::string_view>;
+
+/// Format 1 has no flights.
+Columns columns_of(std::string_view title) {
+  const bool is_old = title.substr(kTitle.size()).starts_with("1:");
+  return Columns(kColumns).first(kColumns.size() - (is_old ? 1 : 0));
+}
 
 /// Before the fields of a metric's definition. No field: with its # in quotes it would be none.
 constexpr std::string_view kMetric = "# metric,";
@@ -61,10 +70,10 @@ void read_comment(const CsvReader& reader, std::string_view line, TrialTable& ta
 
 /// A line of the table; fails, with its place, at the first field that can't be.
 TableTrial trial_of(const CsvReader& reader, const std::vector<std::string>& fields,
-                    std::size_t metric_count) {
-  if (fields.size() != kColumns.size() + metric_count) {
+                    std::size_t column_count, std::size_t metric_count) {
+  if (fields.size() != column_count + metric_count) {
     reader.fail(std::to_string(fields.size()) + " fields instead of " +
-                std::to_string(kColumns.size() + metric_count));
+                std::to_string(column_count + metric_count));
   }
   TableTrial trial;
   // Without the apostrophe that guards spreadsheets from formulas.
@@ -81,7 +90,10 @@ TableTrial trial_of(const CsvReader& reader, const std::vector<std::string>& fie
                 did_you_mean(fields[7], enum_texts<Outcome>()));
   }
   trial.outcome = *outcome;
-  for (std::size_t i = kColumns.size(); i < fields.size(); ++i) {
+  if (column_count == kColumns.size()) {
+    trial.flight = reader.number<std::uint64_t>(fields[8], "flight", 16);
+  }
+  for (std::size_t i = column_count; i < fields.size(); ++i) {
     trial.metrics.push_back(reader.number<double>(fields[i], "metric"));
   }
   return trial;
@@ -91,7 +103,7 @@ TableTrial trial_of(const CsvReader& reader, const std::vector<std::string>& fie
 
 std::string csv_of_table(const TrialTable& table) {
   std::string title(kTitle), axes = "# axes:";
-  title += ": what `avoidbench compare` needs of each trial, as it wrote it";
+  title += "2: what `avoidbench compare` needs of each trial, as it wrote it";
   for (const std::string& path : table.axes) axes += " " + path;
   std::string out = comment_line(title);
   // Without the revision: the file is compared by name. A database of somebody else's may have any
@@ -115,7 +127,7 @@ std::string csv_of_table(const TrialTable& table) {
     CsvRow row;
     row.add_words({id.planner, id.generator, std::to_string(id.map_seed), id.setting});
     row.add_words({std::to_string(id.mission_index), in_hex(trial.map), in_hex(trial.mission)});
-    row.add(text(trial.outcome));
+    row.add_words({std::string(text(trial.outcome)), in_hex(trial.flight)});
     for (std::size_t i = 0; i < table.metrics.size(); ++i) {
       if (!table.metrics[i].is_measured) row.add(trial.metrics[i]);
     }
@@ -136,20 +148,22 @@ TrialTable table_of_csv(const std::string& text, const std::string& source) {
                     "compare` wrote"},
         "", "bless");
   }
+  const Columns columns = columns_of(line);
   bool has_header = false;
   while (reader.next(line)) {
     if (line.empty()) continue;
     if (line.starts_with('#')) {
       read_comment(reader, line, table);
     } else if (!has_header) {
-      std::vector<std::string> wanted(kColumns.begin(), kColumns.end());
+      std::vector<std::string> wanted(columns.begin(), columns.end());
       for (const MetricRow& metric : table.metrics) wanted.push_back(metric.name);
       if (reader.fields(line) != wanted) {
         reader.fail("the columns are not those of this format and of the metrics above");
       }
       has_header = true;
     } else {
-      table.trials.push_back(trial_of(reader, reader.fields(line), table.metrics.size()));
+      table.trials.push_back(
+          trial_of(reader, reader.fields(line), columns.size(), table.metrics.size()));
       const std::size_t count = table.trials.size();
       // Pairing and the comparison bit for bit walk through trials in order; an edited file may
       // have lost it.

@@ -19,7 +19,7 @@ using nlohmann::json;
 
 constexpr std::string_view kOfMap = "map.";
 
-/// Enough to tell worlds apart; 0 for a row without a digest.
+/// Enough to tell worlds and flights apart; 0 for a row without a digest.
 std::uint64_t first_64_bits(const std::string& digest) {
   std::uint64_t bits = 0;
   if (digest.size() >= 16) std::from_chars(digest.data(), digest.data() + 16, bits, 16);
@@ -136,6 +136,7 @@ TrialTable table_of_sweep(const Database& database, const SweepInfo& sweep,
     row.map = map.digest;
     row.mission = map.missions.at(trial.mission_index);
     row.outcome = trial.outcome;
+    row.flight = first_64_bits(trial.flight_digest);
     row.cause = std::move(trial.cause);
     row.key = std::move(trial.key);
     row.metrics = std::move(trial.metrics);

@@ -34,6 +34,8 @@ struct TableTrial {
   std::uint64_t mission =
       0;  ///< of a digest of world, start and goal: whether both flew the same mission
   Outcome outcome = Outcome::timed_out;
+  /// Beginning of the digest of trajectory, plan calls and events; 0 where a table has none.
+  std::uint64_t flight = 0;
   std::vector<double> metrics;  ///< one an element of TrialTable::metrics, NaN where there is none
   std::string cause = {};       ///< of a failure, where `explain` has told it; not in a CSV
   std::string key = {};         ///< in its database; "" for one from a CSV
@@ -58,7 +60,8 @@ TrialTable table_of_sweep(const Database& database, const SweepInfo& sweep,
 /// on the host are left out: the file depends on nothing but the results.
 std::string csv_of_table(const TrialTable& table);
 
-/// Reads what csv_of_table() wrote. Throws InputError with file and line.
+/// Reads what csv_of_table() wrote, also of format 1, without flights. Throws InputError with file
+/// and line.
 TrialTable table_of_csv(const std::string& text, const std::string& source);
 
 /// The two sides of a comparison: each a database or a CSV. `sweep` is NAME or NAME@2 for both
