@@ -198,7 +198,7 @@ class Results:
 
         Args:
             new: results, a database, or a table of trials that `compare --bless` wrote.
-            exact: no statistics: outcomes and deterministic metrics must be equal to the last bit,
+            exact: no statistics: outcomes, flights and deterministic metrics must be equal to the last bit,
                 and no trial may be missing.
             complete: missing trials fail the comparison too.
             planner: only this planner, by its label, or BASE:NEW.
