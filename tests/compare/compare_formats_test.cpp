@@ -96,9 +96,11 @@ TEST(CompareFormats, ExactComparisons) {
   const TrialTable base = finished_table("a.db", 10, 4);
   TrialTable now = base;
   for (TableTrial& row : now.trials) crash(row);
+  ++now.trials[0].flight;
   const ExactComparison comparison = compare_exactly(base, now);
   const std::string text = format_comparison(comparison, CompareFormat::table);
   EXPECT_NE(text.find("outcome reached_goal → collided"), std::string::npos);
+  EXPECT_NE(text.find("flight: another trajectory, command or event"), std::string::npos) << text;
   EXPECT_NE(text.find("and 20 trials more: the JSON has all"), std::string::npos) << text;
   EXPECT_EQ(
       json::parse(format_comparison(comparison, CompareFormat::json)).at("differences").size(),

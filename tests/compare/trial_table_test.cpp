@@ -142,6 +142,8 @@ TEST(TrialTable, DamagedCsvIsToldWithItsLine) {
       error_with("# avoidbench trials, format 2", "planner"),
       "t.csv: is neither a database of results nor a table of trials that `avoidbench compare` "
       "wrote");
+  EXPECT_EQ(error_with("format 2", "format 3"),
+            "t.csv:1: a table of another format than 1 and 2: a newer avoidbench wrote it");
   EXPECT_NE(error_with("reached_goal", "reached_gaol").find("t.csv:7: outcome: 'reached_gaol'"),
             std::string::npos)
       << error_with("reached_goal", "reached_gaol");

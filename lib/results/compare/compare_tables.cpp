@@ -256,8 +256,8 @@ std::string exact_text(const ExactComparison& comparison) {
   }
   std::map<TrialIdentity, std::vector<std::string>> trials;  // with what differs in each
   for (const Difference& difference : comparison.differences) {
-    trials[difference.identity].push_back(difference.what + " " + difference.before + " → " +
-                                          difference.after);
+    const std::string before = difference.before.empty() ? ": " : " " + difference.before + " → ";
+    trials[difference.identity].push_back(difference.what + before + difference.after);
   }
   std::size_t shown_count = 0;
   for (auto& [identity, values] : trials) {

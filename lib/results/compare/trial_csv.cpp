@@ -20,10 +20,12 @@ constexpr std::array<std::string_view, 9> kColumns{"planner", "generator",     "
                                                    "mission", "outcome",       "flight"};
 using Columns = std::span<const std::string_view>;
 
-/// Format 1 has no flights.
-Columns columns_of(std::string_view title) {
-  const bool is_old = title.substr(kTitle.size()).starts_with("1:");
-  return Columns(kColumns).first(kColumns.size() - (is_old ? 1 : 0));
+/// Format 1 has no flights. Fails for a format that this program does not know.
+Columns columns_of(const CsvReader& reader, std::string_view title) {
+  const std::string_view format = title.substr(kTitle.size());
+  if (format.starts_with("2:")) return kColumns;
+  if (format.starts_with("1:")) return Columns(kColumns).first(kColumns.size() - 1);
+  reader.fail("a table of another format than 1 and 2: a newer avoidbench wrote it");
 }
 
 /// Before the fields of a metric's definition. No field: with its # in quotes it would be none.
@@ -148,7 +150,7 @@ TrialTable table_of_csv(const std::string& text, const std::string& source) {
                     "compare` wrote"},
         "", "bless");
   }
-  const Columns columns = columns_of(line);
+  const Columns columns = columns_of(reader, line);
   bool has_header = false;
   while (reader.next(line)) {
     if (line.empty()) continue;
