@@ -2,6 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <latch>
+#include <string>
+#include <thread>
+#include <vector>
+
 namespace avoidbench {
 namespace {
 
@@ -38,6 +44,31 @@ TEST(HostBuffers, SetupListsEveryCameraForWhoeverSeesImages) {
   const SetupBuffers blind(setup, {}, AB_INPUT_STATE | AB_INPUT_IMU);
   EXPECT_EQ(blind.setup().depth_camera, nullptr);
   EXPECT_EQ(blind.setup().camera_count, 0U);
+}
+
+TEST(HostBuffers, ThreadsOfAPlannerMayLogAtOnce) {
+  constexpr int kThreads = 4, kLines = 2000;
+  HostSide host;
+  const ab_host& table = host.table();
+  // Some rounds: on a busy machine the threads of one may run one after another.
+  for (int round = 0; round < 30; ++round) {
+    std::latch start(kThreads);
+    std::vector<std::thread> threads;
+    for (int thread = 0; thread < kThreads; ++thread) {
+      threads.emplace_back([&table, &start, thread] {
+        const std::string name = std::to_string(thread) + ":";
+        start.arrive_and_wait();
+        for (int i = 0; i < kLines; ++i) {
+          table.log(table.context, AB_LOG_INFO, (name + std::to_string(i)).c_str());
+        }
+      });
+    }
+    for (std::thread& thread : threads) thread.join();
+    std::vector<std::string> lines = host.take_log();
+    ASSERT_EQ(lines.size(), std::size_t{kThreads * kLines});
+    std::sort(lines.begin(), lines.end());
+    ASSERT_EQ(std::unique(lines.begin(), lines.end()), lines.end()) << "a line was kept twice";
+  }
 }
 
 class Observations : public ::testing::Test {

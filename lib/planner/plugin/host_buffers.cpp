@@ -174,6 +174,7 @@ HostSide::HostSide(bool has_debug, std::uint32_t needs)
 void HostSide::add_to_log(std::string line) {
   // What nobody takes during a sweep must not fill the memory.
   constexpr std::size_t kMostBytes = std::size_t{1} << 20U, kOfALine = 64;
+  const std::lock_guard lock(log_mutex_);
   const bool had_room = log_bytes_ < kMostBytes;
   log_bytes_ += line.size() + kOfALine;
   if (log_bytes_ < kMostBytes) {
@@ -190,6 +191,7 @@ std::string HostSide::take_error() {
 }
 
 std::vector<std::string> HostSide::take_log() {
+  const std::lock_guard lock(log_mutex_);
   std::vector<std::string> taken;
   taken.swap(log_);
   log_bytes_ = 0;
@@ -198,8 +200,8 @@ std::vector<std::string> HostSide::take_log() {
 
 std::vector<Drawing> HostSide::take_drawings() {
   if (board_.is_full()) {
-    std::string& warning = log_.emplace_back("warning: drawings beyond ");
-    warning.append(std::to_string(kMostDrawnPoints)).append(" points in one call are left out");
+    add_to_log("warning: drawings beyond " + std::to_string(kMostDrawnPoints) +
+               " points in one call are left out");
   }
   return board_.take();
 }

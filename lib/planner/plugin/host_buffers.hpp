@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <mutex>
 #include <string>
 #include <utility>
 #include <vector>
@@ -45,6 +46,7 @@ class HostSide {
   void add_to_log(std::string line);
 
   std::string error_;
+  std::mutex log_mutex_;  ///< threads of the planner may log at once
   std::vector<std::string> log_;
   std::size_t log_bytes_ = 0;
 };

@@ -100,6 +100,7 @@ typedef struct ab_host {
   uint32_t abi_version;
   void* context; /* first argument of the functions below */
   void (*set_error)(void* context, const char* text);
+  /* A line of the log. Threads that the planner has started may call it, too. */
   void (*log)(void* context, int32_t level, const char* text);
   /* A further table by its name and version, e.g. AB_DEBUG_EXTENSION; null if this host does not
    * have it. */
