@@ -1,6 +1,7 @@
 #include <benchmark/benchmark.h>
 
 #include <memory>
+#include <variant>
 #include <vector>
 
 #include "bare_loop.hpp"
@@ -66,6 +67,7 @@ int main(int argc, char** argv) {
       {"hall", HallSpec{.area_m = {40.0, 40.0}}},
       {"forest", ForestSpec{.area_m = {40.0, 40.0}, .poisson_radius_m = 3.5}}};
   for (const SensorSpec& sensor : sensor_presets()) {
+    if (std::holds_alternative<NoCameraSpec>(sensor.method)) continue;  // lidar_bench has these
     for (const auto& [name, map] : maps) {
       benchmark::RegisterBenchmark((sensor.name + "/" + name).c_str(), exposure, sensor, map)
           ->UseManualTime()
