@@ -162,11 +162,26 @@ Core& core() {
   return *the_core;
 }
 
+Core& core_of_nodes(const char* does, const std::string& to) {
+  Core& core = ros_shim::core();
+  if (::pthread_equal(core.thread, ::pthread_self()) != 0) return core;
+  throw std::logic_error(
+      "a thread that a node has started " + std::string(does) + to +
+      ": flights would differ from run to run (threads may log and read clocks)");
+}
+
+Core& enter_nodes() {
+  Core& core = ros_shim::core();
+  core.thread = ::pthread_self();
+  return core;
+}
+
 bool is_over() { return the_core == nullptr; }
 
 void set_core(std::unique_ptr<Core> fresh, std::int64_t look_ns, std::uint64_t seed) {
   the_core = std::move(fresh);
   if (!the_core) return;
+  enter_nodes();
   avoidbench::begin_repeatable_ns(the_core->now_ns, look_ns, seed);
   avoidbench::set_sleep(&sleep_of_thread_ns);
   the_core->nodes.push_back(std::make_unique<Node>());
@@ -195,17 +210,12 @@ void add_node(const NodeSpec& spec) {
   raw->fibre = std::make_unique<Fibre>([raw] { run_main(*raw); });
 }
 
-void advance(std::int64_t to_ns) {
-  Core& core = ros_shim::core();
-  core.thread = ::pthread_self();
-  run_scheduler(core, to_ns);
-}
+void advance(std::int64_t to_ns) { run_scheduler(enter_nodes(), to_ns); }
 
 void set_now(std::int64_t to_ns) { set_now(core(), to_ns); }
 
 void end_nodes() {
-  Core& core = ros_shim::core();
-  core.thread = ::pthread_self();
+  Core& core = enter_nodes();
   core.is_running = false;
   for (std::size_t i = core.nodes.size(); i-- > 0;) {
     Node& node = *core.nodes[i];
@@ -221,7 +231,7 @@ void end_nodes() {
 }
 
 void wait(std::int64_t wake_ns, bool takes_callbacks) {
-  Core& core = ros_shim::core();
+  Core& core = core_of_nodes("waits");
   Node& node = *core.current;
   if (!node.fibre) return;  // the host's side never waits
   node.wake_ns = wake_ns;

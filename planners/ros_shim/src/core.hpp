@@ -110,6 +110,11 @@ struct Core {
 
 /// The one of this copy.
 Core& core();
+/// The same for what decides which callback comes when. On a thread that a node has started, which
+/// would do so at another time in each run, it throws std::logic_error that says what it `does`.
+Core& core_of_nodes(const char* does, const std::string& to = {});
+/// Nodes run on this thread from now on.
+Core& enter_nodes();
 /// Whether there is no core: before a trial and after it.
 bool is_over();
 /// Sets the core of a new trial; null ends it. Clocks stand at its time, and each look at them

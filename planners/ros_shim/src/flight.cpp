@@ -206,6 +206,7 @@ Flight::Flight(const ab_host& host, const ab_setup& setup, const ab_mission& of_
 }
 
 Flight::~Flight() {
+  enter_nodes();
   command_.shutdown();
   observations_.reset();
   end_nodes();
@@ -220,7 +221,7 @@ std::optional<ab_command> Flight::plan(const ab_observation& of_host) {
   // A delayed state is not the present. Hosts of before they said the time: the state's.
   const bool has_time = seen.struct_size >= offsetof(ab_observation, state_count);
   const double call_s = has_time ? seen.time_s : state.time_s;
-  const std::int64_t to_ns = std::max(now_ns(), ros_time_ns(call_s));
+  const std::int64_t to_ns = std::max(enter_nodes().now_ns, ros_time_ns(call_s));
   observations_->publish(seen, to_ns);
   advance(to_ns);
   const std::optional<ab_command> command = commands_->answer(to_ns, state);

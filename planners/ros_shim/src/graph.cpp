@@ -13,7 +13,9 @@ namespace ros_shim {
 namespace {
 
 Topic& topic_at(int topic) { return *core().topics[static_cast<std::size_t>(topic)]; }
-Timer& timer_at(int timer) { return core().timers[static_cast<std::size_t>(timer)]; }
+Timer& timer_at(int timer) {
+  return core_of_nodes("uses a timer").timers[static_cast<std::size_t>(timer)];
+}
 
 void enqueue(Core& core, int index, const Delivery& delivery) {
   Subscription& subscription = *core.subscriptions[static_cast<std::size_t>(index)];
@@ -60,8 +62,8 @@ void wait_a_turn(Core& core, std::int64_t wake_ns) {
 }
 
 void sleep_until_ns(std::int64_t time_ns) {
-  const auto is_past = [&] { return core().now_ns >= time_ns; };
-  Core& core = ros_shim::core();
+  Core& core = core_of_nodes("sleeps in ROS time");
+  const auto is_past = [&] { return core.now_ns >= time_ns; };
   while (is_running() && !is_past()) {
     if (!core.current->fibre) return;
     wait_a_turn(core, time_ns);
@@ -102,7 +104,7 @@ void spin() {
 }
 
 bool spin_until(const std::function<bool()>& condition, std::int64_t time_ns) {
-  Core& core = ros_shim::core();
+  Core& core = core_of_nodes("spins");
   Node& node = *core.current;
   while (is_running()) {
     if (condition()) return true;
@@ -116,7 +118,7 @@ bool spin_until(const std::function<bool()>& condition, std::int64_t time_ns) {
 }
 
 void spin_once() {
-  Core& core = ros_shim::core();
+  Core& core = core_of_nodes("spins");
   Node& node = *core.current;
   std::size_t count = node.queue.size();
   if (count > 0) node.polls = 0;
@@ -135,7 +137,7 @@ void spin_once() {
 }
 
 int call_callbacks(int most, std::int64_t wait_ns) {
-  Core& core = ros_shim::core();
+  Core& core = core_of_nodes("spins");
   Node& node = *core.current;
   const std::int64_t end_ns = core.now_ns + wait_ns;
   while (is_running() && node.queue.empty() && core.now_ns < end_ns) wait(end_ns, true);
@@ -161,7 +163,7 @@ void spin_in_background(bool on) { core().current->background_spinners += on ? 1
 // topics
 
 int topic_of(const std::string& name, const char* type) {
-  Core& core = ros_shim::core();
+  Core& core = core_of_nodes("advertises or subscribes ", name);
   for (std::size_t i = 0; i < core.topics.size(); ++i) {
     if (core.topics[i]->name != name) continue;
     if (core.topics[i]->type != type) {
@@ -182,8 +184,8 @@ void count_publishers(int topic, int change) {
 }
 
 void publish(int topic, AnyMessage message, bool latched) {
-  Core& core = ros_shim::core();
   Topic& to = topic_at(topic);
+  Core& core = core_of_nodes("publishes ", to.name);
   const Delivery delivery{std::move(message), core.current->full_name, core.now_ns};
   if (latched) {
     to.latched = delivery.message;
@@ -224,7 +226,7 @@ int subscribe_at_once(int topic, Deliver deliver) {
 
 void unsubscribe(int subscription) {
   if (is_over()) return;
-  Core& core = ros_shim::core();
+  Core& core = core_of_nodes("unsubscribes");
   Subscription& gone = *core.subscriptions[static_cast<std::size_t>(subscription)];
   gone.deliver.reset();
   std::vector<int>& all = topic_at(gone.topic).subscriptions;
@@ -245,7 +247,7 @@ int make_timer(std::int64_t period_ns, bool once, std::function<void(const Timer
   if (period_ns < 0 || (period_ns == 0 && !once)) {
     throw std::invalid_argument("a timer's period must be positive");
   }
-  Core& core = ros_shim::core();
+  Core& core = core_of_nodes("makes a timer");
   Timer timer;
   timer.node = core.current;
   timer.period_ns = period_ns;

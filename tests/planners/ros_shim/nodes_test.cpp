@@ -3,6 +3,8 @@
 #include <cstdlib>
 #include <map>
 #include <memory>
+#include <stdexcept>
+#include <thread>
 
 #include "geometry_msgs/PointStamped.h"
 #include "simulated_ros.hpp"
@@ -209,6 +211,42 @@ TEST(RosNodes, AnExceptionSaysWhichNodeItIsOf) {
   }});
   EXPECT_THROW(ros.run_to(0.1), std::runtime_error);
   EXPECT_EQ(ros.lines, (std::vector<std::string>{"[a] before 1"}));
+}
+
+/// What a thread of the node that runs is refused; "" where nothing is.
+std::string refused(const std::function<void()>& to_do) {
+  std::string text;
+  std::thread([&] {
+    try {
+      to_do();
+    } catch (const std::logic_error& error) {
+      text = error.what();
+    }
+  }).join();
+  return text.substr(0, text.find(':'));
+}
+
+TEST(RosNodes, TheirThreadsMayOnlyLogAndReadClocks) {
+  const std::string thread = "a thread that a node has started ";
+  SimulatedRos ros({[&] {
+    ros::NodeHandle node;
+    ros::Publisher publisher = node.advertise<std_msgs::Int32>("n", 5);
+    ros::Timer timer = node.createTimer(ros::Duration(0.1), [](const ros::TimerEvent&) {});
+    EXPECT_EQ(refused([] { ROS_INFO("said"); }), "");
+    EXPECT_EQ(refused([] { EXPECT_TRUE(ros::ok()); }), "");
+    EXPECT_EQ(refused([] { EXPECT_GE(ros::Time::now(), ros::Time(10)); }), "");
+    EXPECT_EQ(refused([&] { publisher.publish(number(1)); }), thread + "publishes /n");
+    EXPECT_EQ(refused([&] { node.subscribe("m", 5, take_reference); }),
+              thread + "advertises or subscribes /m");
+    EXPECT_EQ(refused([&] { timer.stop(); }), thread + "uses a timer");
+    EXPECT_EQ(refused([] { ros::Rate(10.0).sleep(); }), thread + "sleeps in ROS time");
+    EXPECT_EQ(refused([] { ros::spin(); }), thread + "spins");
+    EXPECT_EQ(refused([] { ros::spinOnce(); }), thread + "spins");
+    EXPECT_EQ(refused([] { ros::service::waitForService("s", 1.0); }), thread + "waits");
+    publisher.publish(number(2));
+  }});
+  ros.run_to(1.0);
+  EXPECT_EQ(ros.lines, (std::vector<std::string>{"[a] said"}));
 }
 
 TEST(RosNames, AreResolvedAndRemapped) {
