@@ -157,21 +157,21 @@ void run_main(Node& node) {
 
 }  // namespace
 
-Core& core() {
+Core& core_of_any_thread() {
   if (!the_core) throw std::logic_error("ROS is used before a trial has begun or after its end");
   return *the_core;
 }
 
-Core& core_of_nodes(const char* does, const std::string& to) {
-  Core& core = ros_shim::core();
+Core& core() {
+  Core& core = core_of_any_thread();
   if (::pthread_equal(core.thread, ::pthread_self()) != 0) return core;
   throw std::logic_error(
-      "a thread that a node has started " + std::string(does) + to +
-      ": flights would differ from run to run (threads may log and read clocks)");
+      "a thread that a node has started uses ROS: flights would differ from run to run (it may log "
+      "and read clocks)");
 }
 
 Core& enter_nodes() {
-  Core& core = ros_shim::core();
+  Core& core = core_of_any_thread();
   core.thread = ::pthread_self();
   return core;
 }
@@ -231,7 +231,7 @@ void end_nodes() {
 }
 
 void wait(std::int64_t wake_ns, bool takes_callbacks) {
-  Core& core = core_of_nodes("waits");
+  Core& core = ros_shim::core();
   Node& node = *core.current;
   if (!node.fibre) return;  // the host's side never waits
   node.wake_ns = wake_ns;

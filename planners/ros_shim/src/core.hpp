@@ -108,11 +108,11 @@ struct Core {
   std::function<void(Level, const std::string&)> write_log;
 };
 
-/// The one of this copy.
+/// The one of this copy. Throws std::logic_error where there is none, and on a thread that a node
+/// has started: what it did would come at another time in each run.
 Core& core();
-/// The same for what decides which callback comes when. On a thread that a node has started, which
-/// would do so at another time in each run, it throws std::logic_error that says what it `does`.
-Core& core_of_nodes(const char* does, const std::string& to = {});
+/// The same for what such threads may do: log and read clocks.
+Core& core_of_any_thread();
 /// Nodes run on this thread from now on.
 Core& enter_nodes();
 /// Whether there is no core: before a trial and after it.

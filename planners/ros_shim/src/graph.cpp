@@ -13,9 +13,7 @@ namespace ros_shim {
 namespace {
 
 Topic& topic_at(int topic) { return *core().topics[static_cast<std::size_t>(topic)]; }
-Timer& timer_at(int timer) {
-  return core_of_nodes("uses a timer").timers[static_cast<std::size_t>(timer)];
-}
+Timer& timer_at(int timer) { return core().timers[static_cast<std::size_t>(timer)]; }
 
 void enqueue(Core& core, int index, const Delivery& delivery) {
   Subscription& subscription = *core.subscriptions[static_cast<std::size_t>(index)];
@@ -44,10 +42,10 @@ void enqueue(Core& core, int index, const Delivery& delivery) {
 
 // time
 
-std::int64_t now_ns() { return core().now_ns; }
+std::int64_t now_ns() { return core_of_any_thread().now_ns; }
 
 std::int64_t clock_ns() {
-  core();  // throws where there is no trial
+  core_of_any_thread();  // throws where there is no trial
   return avoidbench::look_at_clock_ns();
 }
 
@@ -62,7 +60,7 @@ void wait_a_turn(Core& core, std::int64_t wake_ns) {
 }
 
 void sleep_until_ns(std::int64_t time_ns) {
-  Core& core = core_of_nodes("sleeps in ROS time");
+  Core& core = ros_shim::core();
   const auto is_past = [&] { return core.now_ns >= time_ns; };
   while (is_running() && !is_past()) {
     if (!core.current->fibre) return;
@@ -78,7 +76,8 @@ void sleep_for_ns(std::int64_t nanoseconds) {
 
 void sleep_of_thread_ns(std::int64_t duration_ns) {
   if (is_over()) return;
-  if (::pthread_equal(core().thread, ::pthread_self()) != 0) return sleep_for_ns(duration_ns);
+  if (::pthread_equal(core_of_any_thread().thread, ::pthread_self()) != 0)
+    return sleep_for_ns(duration_ns);
   std::timespec duration{};
   duration.tv_sec = static_cast<std::time_t>(duration_ns / 1000000000);
   duration.tv_nsec = static_cast<long>(duration_ns % 1000000000);
@@ -89,7 +88,7 @@ void sleep_of_thread_ns(std::int64_t duration_ns) {
 
 bool is_running() {
   if (is_over()) return false;
-  const Core& core = ros_shim::core();
+  const Core& core = core_of_any_thread();
   return core.is_running && !core.current->is_stopped;
 }
 
@@ -104,7 +103,7 @@ void spin() {
 }
 
 bool spin_until(const std::function<bool()>& condition, std::int64_t time_ns) {
-  Core& core = core_of_nodes("spins");
+  Core& core = ros_shim::core();
   Node& node = *core.current;
   while (is_running()) {
     if (condition()) return true;
@@ -118,7 +117,7 @@ bool spin_until(const std::function<bool()>& condition, std::int64_t time_ns) {
 }
 
 void spin_once() {
-  Core& core = core_of_nodes("spins");
+  Core& core = ros_shim::core();
   Node& node = *core.current;
   std::size_t count = node.queue.size();
   if (count > 0) node.polls = 0;
@@ -137,7 +136,7 @@ void spin_once() {
 }
 
 int call_callbacks(int most, std::int64_t wait_ns) {
-  Core& core = core_of_nodes("spins");
+  Core& core = ros_shim::core();
   Node& node = *core.current;
   const std::int64_t end_ns = core.now_ns + wait_ns;
   while (is_running() && node.queue.empty() && core.now_ns < end_ns) wait(end_ns, true);
@@ -163,7 +162,7 @@ void spin_in_background(bool on) { core().current->background_spinners += on ? 1
 // topics
 
 int topic_of(const std::string& name, const char* type) {
-  Core& core = core_of_nodes("advertises or subscribes ", name);
+  Core& core = ros_shim::core();
   for (std::size_t i = 0; i < core.topics.size(); ++i) {
     if (core.topics[i]->name != name) continue;
     if (core.topics[i]->type != type) {
@@ -184,8 +183,8 @@ void count_publishers(int topic, int change) {
 }
 
 void publish(int topic, AnyMessage message, bool latched) {
+  Core& core = ros_shim::core();
   Topic& to = topic_at(topic);
-  Core& core = core_of_nodes("publishes ", to.name);
   const Delivery delivery{std::move(message), core.current->full_name, core.now_ns};
   if (latched) {
     to.latched = delivery.message;
@@ -226,7 +225,7 @@ int subscribe_at_once(int topic, Deliver deliver) {
 
 void unsubscribe(int subscription) {
   if (is_over()) return;
-  Core& core = core_of_nodes("unsubscribes");
+  Core& core = ros_shim::core();
   Subscription& gone = *core.subscriptions[static_cast<std::size_t>(subscription)];
   gone.deliver.reset();
   std::vector<int>& all = topic_at(gone.topic).subscriptions;
@@ -247,7 +246,7 @@ int make_timer(std::int64_t period_ns, bool once, std::function<void(const Timer
   if (period_ns < 0 || (period_ns == 0 && !once)) {
     throw std::invalid_argument("a timer's period must be positive");
   }
-  Core& core = core_of_nodes("makes a timer");
+  Core& core = ros_shim::core();
   Timer timer;
   timer.node = core.current;
   timer.period_ns = period_ns;

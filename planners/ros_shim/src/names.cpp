@@ -191,7 +191,7 @@ bool read(const Value& value, Value& out) {
 
 void log(Level level, const std::string& text) {
   if (level == Level::debug) return;
-  const Core& core = ros_shim::core();
+  const Core& core = core_of_any_thread();
   if (core.write_log) core.write_log(level, "[" + core.current->full_name.substr(1) + "] " + text);
 }
 

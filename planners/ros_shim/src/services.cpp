@@ -27,7 +27,7 @@ struct CallerWaits {
 }  // namespace
 
 int offer_service(const std::string& name, const char* request_type, Answer answer) {
-  Core& core = core_of_nodes("offers service ", name);
+  Core& core = ros_shim::core();
   if (find_service(core, name) != nullptr) {
     throw std::logic_error("service " + name + " is offered twice, the second time by " +
                            core.current->full_name);
@@ -62,7 +62,7 @@ bool wait_for_service(const std::string& name, std::int64_t wait_ns) {
 
 bool call_service(const std::string& name, const char* request_type, void* request,
                   void* response) {
-  Core& core = core_of_nodes("calls service ", name);
+  Core& core = ros_shim::core();
   Service* const service = find_service(core, name);
   if (service == nullptr) return false;
   if (service->request_type != request_type) {
