@@ -108,8 +108,8 @@ struct Core {
   std::function<void(Level, const std::string&)> write_log;
 };
 
-/// The one of this copy. Throws std::logic_error where there is none, and on a thread that a node
-/// has started: what it did would come at another time in each run.
+/// This copy's core. Throws std::logic_error if there is none, and on a thread that a node has
+/// started: what such a thread does would come at another time in each run.
 Core& core();
 /// The same for what such threads may do: log and read clocks.
 Core& core_of_any_thread();

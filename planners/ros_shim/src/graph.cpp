@@ -76,8 +76,9 @@ void sleep_for_ns(std::int64_t nanoseconds) {
 
 void sleep_of_thread_ns(std::int64_t duration_ns) {
   if (is_over()) return;
-  if (::pthread_equal(core_of_any_thread().thread, ::pthread_self()) != 0)
+  if (::pthread_equal(core_of_any_thread().thread, ::pthread_self()) != 0) {
     return sleep_for_ns(duration_ns);
+  }
   std::timespec duration{};
   duration.tv_sec = static_cast<std::time_t>(duration_ns / 1000000000);
   duration.tv_nsec = static_cast<long>(duration_ns % 1000000000);
