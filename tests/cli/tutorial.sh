@@ -23,6 +23,7 @@ while IFS= read -r line; do
   count=$((count + 1))
 done < <(sed -n 's/^    //p' "$source/docs/submit.md")
 [ "$count" -ge 9 ] || { echo "tutorial: $count commands only" >&2; exit 1; }
-grep -q 'verified: 1 of 1 flight is the same, bit for bit' out.txt || { cat out.txt >&2; exit 1; }
+# The result's digest draws the sample, and this planner's file differs from run to run: 1 % of 40 flights is mostly one, at times more.
+grep -Eq '^verified: ([1-9][0-9]*) of \1 flights? (is|are) the same, bit for bit' out.txt || { cat out.txt >&2; exit 1; }
 grep -q '"label":"swift"' board.html
 echo "tutorial: $count commands"
